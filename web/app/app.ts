@@ -30,7 +30,8 @@ import { fitLegend } from './state/legend-range.ts';
 import type { Store } from './state/store.ts';
 import { Variants } from './variants.ts';
 import { words } from '../language/language.ts';
-import { surfaceText } from '../language/surface-names.ts';
+import { surfaceText, unnamedFloor } from '../language/surface-names.ts';
+import { unnamedFloorOf } from './words/provenance.ts';
 
 export interface Parts {
   readonly canvas: HTMLCanvasElement;
@@ -83,6 +84,7 @@ export class App {
     this.film = new Film(store, this.solving, this.viewer, this.variants);
     store.planSource.value = () => this.viewer.plan();
     this.#tellViewer();
+    effect(() => void (unnamedFloor.value = store.scene.value && unnamedFloorOf(store.scene.value)));
     takeOwnPictures(store, this.viewer, this.own);
     this.keeping.keepSaved((room) => this.rooms.has(room) || this.own.has(room));
   }

@@ -9,6 +9,7 @@ import { Store, type SheetState } from '../../../web/app/state/store.ts';
 import { expectScene } from '../../../web/app/opening/first-scene.ts';
 import { outlineOf } from '../../../web/document/areas.ts';
 import { keepRange } from '../../../web/document/intentions.ts';
+import { surfaceText } from '../../../web/language/surface-names.ts';
 import type { ToWorker } from '../../../web/solver/protocol.ts';
 import { WorkerEnded } from '../../../web/solver/worker-ended.ts';
 import { matching } from '../../../web/panel/dialogs/palette.tsx';
@@ -165,6 +166,22 @@ test('a measuring plane that is drawn is seen in plan until it is lit, and no lo
   expect(app.markedAreas()).toEqual([{ kind: 'plane', outline, height: 0.75 }]);
   app.store.sheet.value = null;
   expect(app.markedAreas()).toEqual([]);
+});
+
+test('the floor that the pipeline has found is called so, whatever its mesh is called; what it measures is not', async () => {
+  const { ask, ...scene } = { ask: { mean: 300, count: 4 }, ...solver.scene };
+  const open = (surface: string, measuring = false) =>
+    void (app.store.scene.value = {
+      ...scene,
+      surfaces: [{ ...scene.surfaces[0]!, name: surface, measuring }, scene.surfaces[1]!],
+      provenance: { ask: { ...ask, surface } },
+    });
+  open('Plane.003');
+  expect(surfaceText('Plane.003')).toBe('floor (Plane.003)');
+  open('grid', true);
+  expect(['grid', 'Plane.003'].map(surfaceText)).toEqual(['grid', 'Plane.003']);
+  open('Ground floor');
+  expect(surfaceText('Ground floor')).toBe('Ground floor');
 });
 
 test('a kept view is part of the document and asks nothing of the solver', () => {

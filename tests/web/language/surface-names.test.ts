@@ -2,7 +2,7 @@
 import { afterEach, expect, test } from '@jest/globals';
 import { namesText, placesText } from '../../../web/app/words/places.ts';
 import { speak } from '../../../web/language/language.ts';
-import { isFoundBy, surfaceText } from '../../../web/language/surface-names.ts';
+import { isFoundBy, surfaceText, unnamedFloor } from '../../../web/language/surface-names.ts';
 
 afterEach(() => speak('en'));
 
@@ -31,6 +31,19 @@ test('a name is read in the language of the page, alone, in a family and as a pa
   ]);
   expect(isFoundBy('schreib', 'desk 3') && isFoundBy('DESK', 'desk 3')).toBe(true);
   expect(isFoundBy('stuhl', 'desk 3')).toBe(false);
+});
+
+test('a floor whose name does not say so is called one, and found as one', async () => {
+  unnamedFloor.value = 'Cube/wall/top';
+  try {
+    const names = ['Cube/wall/top', 'Cube/wall/top (back)', 'Cube/wall/rest'];
+    expect(names.map(surfaceText)).toEqual(['floor (Cube/wall/top)', ...names.slice(1)]);
+    expect(isFoundBy('floor', 'Cube/wall/top')).toBe(true);
+    await speak('de');
+    expect(surfaceText('Cube/wall/top')).toMatch(/^Fußboden \(Cube\/Wand\//);
+  } finally {
+    unnamedFloor.value = null;
+  }
 });
 
 test('several surfaces are told in few words', async () => {

@@ -62,6 +62,16 @@ export function roomWarnings(scene: SceneInfo): string[] {
   return [...warnings.map(inOurWords), ...losing];
 }
 
+/** The floor below the luminaires, where its name ("Cube/wall/top") does not say that it is one; null where it does. */
+export function unnamedFloorOf({
+  provenance,
+  surfaces,
+}: Pick<SceneInfo, 'provenance' | 'surfaces'>): string | null {
+  const { ask } = readProvenance(provenance);
+  const asked = surfaces.find(({ name }) => name === ask?.surface);
+  return asked && !asked.measuring && !/floor/i.test(asked.name) ? asked.name : null;
+}
+
 const muchLost = 0.2; // of the flux: more is said over the picture
 
 /** What must be known of a room's light before anything is read off it: why it is of little use, or how much is lost. */

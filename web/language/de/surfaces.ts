@@ -92,6 +92,7 @@ export const surfaces: Words['surfaces'] = {
     'working plane': 'Nutzebene',
     'yellow wall': 'gelbe Wand',
   },
+  floor: (name) => `Fußboden (${name})`,
   surround: (of) => `${of}, Umgebung`,
   background: (of) => `${of}, Hintergrund`,
   back: (of) => `${of} (Rückseite)`,

@@ -94,6 +94,7 @@ export const surfaces = {
   names: Object.fromEntries(names.map((name) => [name, name])) as Readonly<
     Record<(typeof names)[number], string>
   >,
+  floor: (name: string) => `floor (${name})`, // that has a name of its own
   surround: (of: string) => `${of} surround`,
   background: (of: string) => `${of} background`,
   back: (of: string) => `${of} (back)`,
