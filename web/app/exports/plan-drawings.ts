@@ -19,6 +19,7 @@ import type { Areas, Layout, Mounting, PlanOutline, SceneInfo, TaskArea } from '
 import { isoluxLevels } from '../../viewer/light/isolux.ts';
 import type { LuminaireBody } from '../../viewer/types.ts';
 import type { App } from '../app.ts';
+import { floorsOf } from '../words/provenance.ts';
 import { words } from '../../language/language.ts';
 
 interface Drawn {
@@ -51,11 +52,8 @@ export function drawn({ store, keeping, viewer, types }: Apps): Drawn {
 /** The leaf that is read in plan: the first measuring plane that is level, or else the floor; null where neither is. */
 export function readSurface(scene: SceneInfo, light: ArrayLike<number>, frame: PlanFrame): number | null {
   const leaves = [...scene.surfaces.keys()];
-  const isFloor = (leaf: number) => /(^|\/)floor\b/i.test(scene.surfaces[leaf]?.name ?? '');
   const measuring = leaves.filter((leaf) => scene.surfaces[leaf]?.measuring);
-  return (
-    [...measuring, ...leaves.filter(isFloor)].find((leaf) => lightField(scene, leaf, light, frame)) ?? null
-  );
+  return [...measuring, ...floorsOf(scene)].find((leaf) => lightField(scene, leaf, light, frame)) ?? null;
 }
 
 /** The luminaires in plan, as large as their files say; a Lambertian square as its site. */

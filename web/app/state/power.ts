@@ -1,6 +1,7 @@
 /** What the light costs: flux, power, and both per floor area. */
 import { drawnBy } from '../../document/schedule.ts';
 import type { Layout, LuminaireType, SceneInfo } from '../../document/types.ts';
+import { floorsOf } from '../words/provenance.ts';
 
 export interface Power {
   readonly flux: number; // lm, after dimming
@@ -21,7 +22,7 @@ export function needsEfficacy(layout: Layout, types?: readonly LuminaireType[]):
 }
 
 /** What tells how much floor there is. */
-type Floors = Pick<SceneInfo, 'surfaces' | 'surfaceOfPatch' | 'patchArea'>;
+type Floors = Pick<SceneInfo, 'surfaces' | 'surfaceOfPatch' | 'patchArea' | 'provenance'>;
 
 export function powerOf(
   layout: Layout,
@@ -33,11 +34,13 @@ export function powerOf(
   return { flux, watts: wattsOf(layout, efficacy, types), floor: floorArea(scene) };
 }
 
-/** Area of what is called floor, under furniture too (statistics leave that out); null in a room that names none. */
-export function floorArea({ surfaces, surfaceOfPatch, patchArea }: Floors): number | null {
-  const isFloor = surfaces.map(({ name }) => /(^|\/)floor\b/i.test(name));
+/** Area of the floor, under furniture too (statistics leave that out); null in a room whose file tells of none. */
+export function floorArea(scene: Floors): number | null {
+  const { surfaceOfPatch, patchArea } = scene;
+  const floors = new Set(floorsOf(scene));
   let area = 0;
-  for (let row = 0; row < patchArea.length; row++) if (isFloor[surfaceOfPatch[row]!]) area += patchArea[row]!;
+  for (let row = 0; row < patchArea.length; row++)
+    if (floors.has(surfaceOfPatch[row]!)) area += patchArea[row]!;
   return area > 0 ? area : null;
 }
 

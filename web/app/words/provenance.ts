@@ -72,6 +72,13 @@ export function unnamedFloorOf({
   return asked && !asked.measuring && !/floor/i.test(asked.name) ? asked.name : null;
 }
 
+/** Leaves: the floor that the pipeline has found where its name does not say so, else all that are called floor. */
+export function floorsOf(scene: Pick<SceneInfo, 'provenance' | 'surfaces'>): number[] {
+  const found = unnamedFloorOf(scene);
+  const isFloor = (name: string) => (found === null ? /(^|\/)floor\b/i.test(name) : name === found);
+  return scene.surfaces.flatMap(({ name }, leaf) => (isFloor(name) ? [leaf] : []));
+}
+
 const muchLost = 0.2; // of the flux: more is said over the picture
 
 /** What must be known of a room's light before anything is read off it: why it is of little use, or how much is lost. */

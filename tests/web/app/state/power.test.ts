@@ -13,12 +13,18 @@ const scene = {
   ] as unknown as SceneInfo['surfaces'],
   surfaceOfPatch: Uint32Array.of(0, 0, 1, 2, 3, 4),
   patchArea: Float32Array.of(8, 8, 4, 2, 1, 9),
+  provenance: {},
 };
 
 test('the floor is all of it, under furniture too', () => {
   expect(floorArea(scene)).toBe(20);
   const layout = { sites: [0, 1], flux: [1000, 3000], dimming: 0.5 };
   expect(powerOf(layout, scene, 100)).toEqual({ flux: 2000, watts: 20, floor: 20 });
+});
+
+test('the floor that the pipeline has found is the floor, and others are not where its name is another', () => {
+  const asked = (surface: string) => ({ ...scene, provenance: { ask: { surface, mean: 300, count: 4 } } });
+  expect(['floor', 'working plane', 'table'].map((name) => floorArea(asked(name)))).toEqual([20, 20, 2]);
 });
 
 test('a room that names no floor has no area of it', () => {
