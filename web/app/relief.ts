@@ -35,6 +35,7 @@ export interface Relief {
   /** Constraints that cannot be met together, while without any of them the others can; or, `isEach`, none of them alone. */
   readonly conflict: readonly number[];
   readonly isEach: boolean; // there are several that cannot be met even if nothing else is asked
+  readonly isCrossed: boolean; // they are the least and the most of one figure, the least above the most
   readonly single: readonly Way<EasedBound>[]; // each alone does
   readonly patches: readonly Way<number>[]; // constraints that do as true minima or maxima instead of by statistics
   readonly flux: Way<number> | null; // lm of each luminaire
@@ -55,29 +56,17 @@ export async function findRelief(
   withoutAreas: readonly number[] | null = null,
 ): Promise<Relief> {
   const rules = await easedRules(of, withoutAreas, tryOne);
-  const all = [...of.constraints.keys()];
   const layoutFor = async (asked: Intentions) => {
     const outcome = await tryOne(asked);
     return outcome?.met ? outcome.layout : null;
   };
-  const without = (some: readonly number[]) => withConstraints(of, (_, i) => !some.includes(i));
-
-  // What is met with most to spare is the least likely to stand in the way of the others.
-  const order = [...all].sort((a, b) => (reached[b]?.margin ?? 0) - (reached[a]?.margin ?? 0));
-  let conflict: number[] = [];
-  let dropped: number[] = [];
-  for (const constraint of order) {
-    if (await layoutFor(without([...dropped, constraint]))) conflict.push(constraint);
-    else dropped = [...dropped, constraint];
-  }
-  const missed = all.filter((i) => !reached[i]?.met);
-  const alone = conflict.length === 1 ? [...conflict] : []; // it is beyond the room by itself; others may be, too
-  for (const constraint of missed)
-    if (alone.length > 0 && !alone.includes(constraint) && !(await canBeMetAlone(of, constraint, tryOne)))
-      alone.push(constraint);
-  const isEach = alone.length > 1;
-  if (isEach) conflict = alone;
-  conflict.sort((a, b) => (reached[a]?.margin ?? 0) - (reached[b]?.margin ?? 0));
+  const missed = [...of.constraints.keys()].filter((i) => !reached[i]?.met);
+  const crossed = crossedBounds(of.constraints);
+  const found = crossed
+    ? { conflict: crossed, isEach: false }
+    : await conflictOf(of, reached, missed, tryOne, layoutFor);
+  const { isEach } = found;
+  const conflict = [...found.conflict].sort((a, b) => (reached[a]?.margin ?? 0) - (reached[b]?.margin ?? 0));
 
   const single: Way<EasedBound>[] = [];
   for (const constraint of isEach ? [] : conflict) {
@@ -92,7 +81,48 @@ export async function findRelief(
   }
   const flux = await moreFlux(of, conflict, layoutFor);
   const together = single.length === 0 ? await easedTogether(of, missed, reached, layoutFor) : null;
-  return { of, rules, conflict, isEach, single, patches, flux, together };
+  return { of, rules, conflict, isEach, isCrossed: crossed !== null, single, patches, flux, together };
+}
+
+/** A least and a most of one figure, the least above the most: no layout of any room meets both. */
+function crossedBounds(constraints: readonly Constraint[]): readonly [number, number] | null {
+  const figureOf = (constraint: Constraint) => {
+    const unbounded = { ...constraint, min: null, max: null, surfaces: [...constraint.surfaces].sort() };
+    return JSON.stringify(Object.entries(unbounded).sort());
+  };
+  for (const [i, one] of constraints.entries()) {
+    const isAbove = ({ max }: Constraint) => one.min !== undefined && max !== undefined && one.min > max;
+    const j = constraints.findIndex((other) => isAbove(other) && figureOf(other) === figureOf(one));
+    if (j >= 0) return [i, j];
+  }
+  return null;
+}
+
+/** Bounds that cannot be met together, while without any of them the others can; `isEach`: none of them alone. */
+async function conflictOf(
+  of: Intentions,
+  reached: readonly { readonly margin: number }[],
+  missed: readonly number[],
+  tryOne: TryOne,
+  layoutFor: LayoutFor,
+): Promise<Pick<Relief, 'conflict' | 'isEach'>> {
+  const without = (some: readonly number[]) => withConstraints(of, (_, i) => !some.includes(i));
+  // What is met with most to spare is the least likely to stand in the way of the others.
+  const order = [...of.constraints.keys()].sort(
+    (a, b) => (reached[b]?.margin ?? 0) - (reached[a]?.margin ?? 0),
+  );
+  const conflict: number[] = [];
+  let dropped: number[] = [];
+  for (const constraint of order) {
+    if (await layoutFor(without([...dropped, constraint]))) conflict.push(constraint);
+    else dropped = [...dropped, constraint];
+  }
+  const alone = conflict.length === 1 ? [...conflict] : []; // it is beyond the room by itself; others may be, too
+  for (const constraint of missed)
+    if (alone.length > 0 && !alone.includes(constraint) && !(await canBeMetAlone(of, constraint, tryOne)))
+      alone.push(constraint);
+  const isEach = alone.length > 1;
+  return { conflict: isEach ? alone : conflict, isEach };
 }
 
 /** Searched for as long as the verdict does, which says of a row whether it can be met. */

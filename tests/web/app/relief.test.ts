@@ -53,6 +53,29 @@ test('of two that contradict each other both are named, also the one that is met
   expect(relief.flux).toBeNull();
 });
 
+test('a least above the most of one figure is named with it, also where only the other is beyond the room', async () => {
+  const room = async ({ constraints }: Intentions) => {
+    const met = constraints.every(({ min = 0, max = Infinity }) => min <= 700 && max >= 570); // as bright as they are
+    return { layout, lumens: 1, met, violation: met ? 0 : 1 };
+  };
+  const most: Constraint = { statistic: 'mean', surfaces: ['floor'], max: 300 };
+  const relief = await findRelief(
+    wish(wall(50), floor(500), most),
+    [missed(80, 0.6), missed(570, 0.14), missed(570, -0.9)],
+    room,
+  );
+  expect(relief.isCrossed).toBe(true);
+  expect(relief.conflict).toEqual([2, 1]);
+  expect(relief.isEach).toBe(false);
+  expect(relief.single.map(({ change }) => change)).toEqual([{ constraint: 2, bound: 570 }]);
+  const even = await findRelief(
+    wish(floor(500), { ...most, surfaces: ['wall'] }),
+    [missed(1, 1), missed(570, -1)],
+    room,
+  );
+  expect(even.isCrossed).toBe(false);
+});
+
 test('where no single bound is in the way, those that are missed are eased together', async () => {
   const room = async (asked: Intentions) => {
     const isMet = asked.constraints.every(({ min = 0 }) => min <= 100);

@@ -161,6 +161,7 @@ export const intentions: Words['intentions'] = {
     one: 'Eine Vorgabe ist nicht erfüllbar',
     together: (count) => `${count} Vorgaben sind zusammen nicht erfüllbar`,
     each: (count) => `${count} Vorgaben sind nicht erfüllbar, auch nicht einzeln`,
+    crossed: 'Zwei Vorgaben widersprechen einander: Keine Anordnung kann beide erfüllen',
     atCost: 'erfüllt auf Kosten der anderen.',
     best: (reached, unit) => `die beste gefundene Anordnung hat ${reached}${unit}.`,
     drop: 'Weglassen',

@@ -164,6 +164,7 @@ export const intentions = {
     one: 'One bound cannot be met',
     together: (count: number) => `${count} bounds cannot be met together`,
     each: (count: number) => `${count} bounds cannot be met, not even one at a time`,
+    crossed: 'Two bounds contradict each other: no layout can meet both',
     atCost: 'met at the cost of the others.',
     best: (reached: string, unit: string) => `the best found has ${reached}${unit}.`,
     drop: 'Drop it',

@@ -29,7 +29,7 @@ export function InfeasibleHelp() {
     <section class="infeasible" aria-label={words.value.intentions.infeasible.name} aria-busy={!relief}>
       <h2>
         <TriangleAlert size={15} aria-hidden />
-        {titleOf(relief ? bounds.length : 0, missed, relief?.isEach ?? false)}
+        {titleOf(bounds.length, missed, relief)}
       </h2>
       <RulesFirst />
       {relief && <EasedRules rules={relief.rules} />}
@@ -38,11 +38,12 @@ export function InfeasibleHelp() {
   );
 }
 
-function titleOf(conflict: number, missed: number, isEach: boolean): string {
+function titleOf(conflict: number, missed: number, relief: Relief | null): string {
   const say = words.value.intentions.infeasible;
   if (conflict === 0) return say.missed(words.value.values.bounds(missed));
   if (conflict === 1) return say.one;
-  return isEach ? say.each(conflict) : say.together(conflict);
+  if (relief?.isCrossed) return say.crossed;
+  return relief?.isEach ? say.each(conflict) : say.together(conflict);
 }
 
 function Ways({ relief, bounds }: { relief: Relief; bounds: readonly Conflicting[] }) {
