@@ -88,7 +88,7 @@ function Unmet() {
   const { store } = useApp();
   if (store.preview.value !== null) return null;
   const count = store.shown.value?.constraints.filter((result) => !result.met).length ?? 0;
-  if (count === 0 || store.progress.value.state === 'improving') return null;
+  if (count === 0 || store.isOfBefore.value || store.progress.value.state === 'improving') return null;
   return (
     <span class="badge" aria-label={words.value.panel.unmet(count)}>
       {count}

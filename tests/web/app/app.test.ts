@@ -101,6 +101,20 @@ test('a count that its arrangement has no middle for is asked for with less of a
   expect(offered()).toEqual([]);
 });
 
+test('what is shown while a wish is refused is told to be of the wish before', () => {
+  app.addCard('illuminate', ['floor']);
+  settle();
+  expect(app.store.isOfBefore.value).toBe(false);
+  app.comparing.arrange({ rule: 'field', axis: 'both' });
+  expect(app.store.isOfBefore.value).toBe(false); // it is being searched for
+  const { revision } = solver.last('solve')!;
+  solver.say({ type: 'failed', revision, message: 'found no regular field of 9', fatal: false });
+  expect(app.store.isOfBefore.value).toBe(true);
+  app.store.undo();
+  settle();
+  expect(app.store.isOfBefore.value).toBe(false);
+});
+
 test('a search from nowhere is tagged as a plan is read; one that goes on, or that holds a place, is not', () => {
   const tags = () => app.store.shown.value!.layout.sites;
   const answer = () => {

@@ -197,6 +197,8 @@ export class Store {
   readonly exact = signal<{ readonly shown: Shown; readonly bytes: number } | null>(null);
   readonly other = signal<Seen | null>(null); // the light that it is compared with
   readonly progress = signal<Progress>({ state: 'idle', evaluations: 0, milliseconds: 0 });
+  /** What is shown is the answer to a wish before: the one of now was refused, or the solver has ended. */
+  readonly isOfBefore = computed(() => this.shown.value !== null && this.progress.value.state === 'idle');
   readonly score = signal<number | null>(null); // of a layout placed by hand against the solver's; links take it along
   readonly sentScore = signal<number | null>(null); // that came with a link, until it is told
   readonly bound = signal<{ readonly gap: number; readonly done: boolean } | null>(null);

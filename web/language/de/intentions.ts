@@ -201,6 +201,7 @@ export const intentions: Words['intentions'] = {
     direct: 'Nur direktes Licht',
     weight: 'Gewicht dieses Ziels',
     isMet: 'erfüllt',
+    ofBefore: (said) => `von der Anordnung zuvor ${said}: Was nun verlangt ist, ist nicht gelöst`,
   },
   none: 'Noch wird nichts verlangt. Im Raum eine Fläche wählen und sagen, was das Licht dort tun soll.',
   addFor: (name) => `Ziel für ${name}`,

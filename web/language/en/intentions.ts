@@ -204,6 +204,7 @@ export const intentions = {
     direct: 'Direct light only',
     weight: 'Weight of this goal',
     isMet: 'met',
+    ofBefore: (said: string) => `${said} by the layout of before: what is asked now is not solved`,
   },
   none: 'Nothing is asked yet. Pick a surface in the room and say what the light should do there.',
   addFor: (name: string) => `Intention for ${name}`,

@@ -1,5 +1,5 @@
 /** A card: surface, verb, what is asked and what it reaches. The opened card carries all its controls and the histogram. */
-import { ChevronRight, CircleCheck, CircleX, X } from 'lucide-preact';
+import { ChevronRight, X } from 'lucide-preact';
 import { useEffect, useRef } from 'preact/hooks';
 import { useApp } from '../../app/app.ts';
 import { withSurfaces } from '../../app/state/grid-light.ts';
@@ -17,6 +17,7 @@ import { usePaperWords, useScale, type CardProps } from './card-hooks.ts';
 import { CardMore } from './card-more.tsx';
 import { Histogram } from './histogram.tsx';
 import { Check } from '../controls/check.tsx';
+import { MetMark } from '../controls/met-mark.tsx';
 import { More } from '../controls/more.tsx';
 import { NumberRow } from '../controls/number-row.tsx';
 import { MeanRange } from './mean-range.tsx';
@@ -100,19 +101,8 @@ function useStatus(card: Card): Status | null {
 
 function Met({ status }: { status: Status | null }) {
   if (!status) return null;
-  return (
-    <span
-      class={`met ${status.met ? 'met' : 'unmet'}`}
-      role="img"
-      aria-label={status.met ? words.value.intentions.card.isMet : words.value.values.unmet}
-      title={words.value.intentions.card.status(
-        status.met ? words.value.intentions.card.met : words.value.intentions.card.unmet,
-        status.text,
-      )}
-    >
-      {status.met ? <CircleCheck size={15} aria-hidden /> : <CircleX size={15} aria-hidden />}
-    </span>
-  );
+  const { met, unmet, status: told } = words.value.intentions.card;
+  return <MetMark met={status.met} title={told(status.met ? met : unmet, status.text)} />;
 }
 
 /** What every card shows at once; all else that it may hold is behind "more". */

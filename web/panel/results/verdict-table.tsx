@@ -1,5 +1,4 @@
 /** What was asked beside what is reached, first of all results: target, actual, margin, and whether it is met. */
-import { CircleCheck, CircleX } from 'lucide-preact';
 import { useApp } from '../../app/app.ts';
 import { maintenanceText, roomTypes } from '../../app/words/room-types.ts';
 import type { BestFigure } from '../../app/best-figures.ts';
@@ -15,6 +14,7 @@ import {
 } from '../../app/words/verdict.ts';
 import { maintenanceOf } from '../../document/maintenance.ts';
 import { words } from '../../language/language.ts';
+import { MetMark } from '../controls/met-mark.tsx';
 
 export function VerdictTable() {
   const { store } = useApp();
@@ -90,18 +90,7 @@ function Row({ row, best }: RowProps) {
             <small class="verdict-margin verdict-best">{bestText(row, best)}</small>
           )}
         </td>
-        <td>
-          {met !== null && (
-            <span
-              class={`met ${met ? 'met' : 'unmet'}`}
-              role="img"
-              aria-label={met ? words.value.intentions.card.isMet : words.value.values.unmet}
-              title={spare ?? undefined}
-            >
-              {met ? <CircleCheck size={15} aria-hidden /> : <CircleX size={15} aria-hidden />}
-            </span>
-          )}
-        </td>
+        <td>{met !== null && <MetMark met={met} title={spare ?? undefined} />}</td>
       </tr>
       {impossible && (
         <tr class="verdict-note">
