@@ -12,7 +12,7 @@ import { chainOf } from '../document/dimension-chain.ts';
 import { placeText } from '../document/plan-frame.ts';
 import { LightFigure, ScaleBar } from './light-figure.tsx';
 import { figureOf, LuminaireInPlan, Note, pathOf, PlanFigure } from './plan-figure.tsx';
-import { reportOf, type Report } from './report.ts';
+import { reportOf, splitAtIndices, type Report } from './report.ts';
 import './report.css';
 import { words } from '../language/language.ts';
 import { surfaceText } from '../language/surface-names.ts';
@@ -294,19 +294,18 @@ function Surfaces({ report: { surfaces, quantity } }: Props) {
   const { mean: meanWord, min: minWord, max: maxWord } = words.value.report.surfaces;
   return (
     <table class="dense break-before">
-      <caption>{words.value.report.surfaces.caption(unitOf(quantity))}</caption>
+      <caption>
+        {words.value.report.surfaces.caption(unitOf(quantity))}{' '}
+        <small>
+          <Indexed text={words.value.report.surfaces.signs} />
+        </small>
+      </caption>
       <thead>
         <tr>
           <th scope="col">{words.value.report.surfaces.surface}</th>
           {['m²', meanWord, minWord, maxWord, 'σ', 'Uₒ', 'U_d'].map((name) => (
             <th key={name} scope="col" class="number">
-              {name === 'U_d' ? (
-                <>
-                  U<sub>d</sub>
-                </>
-              ) : (
-                name
-              )}
+              <Indexed text={name} />
             </th>
           ))}
         </tr>
@@ -355,11 +354,17 @@ function Basis({ report: { assumptions } }: Props) {
       <h2>{words.value.report.basis}</h2>
       <ul>
         {assumptions.map((text) => (
-          <li key={text}>{text}</li>
+          <li key={text}>
+            <Indexed text={text} />
+          </li>
         ))}
       </ul>
     </section>
   );
+}
+
+function Indexed({ text }: { text: string }) {
+  return <>{splitAtIndices(text).map((part, i) => (i % 2 === 1 ? <sub key={i}>{part}</sub> : part))}</>;
 }
 
 /** In small print below what is signed: nobody needs it to read the report, and whoever repeats it does. */

@@ -109,6 +109,9 @@ function lightInPlan(
   };
 }
 
+/** Parts of a text in turn: what stands as it is, and the index of the sign before it, which is c in "F_c". */
+export const splitAtIndices = (text: string): readonly string[] => text.split(/(?<=\b[FU])_([cDd])\b/);
+
 function assumptionsOf(scene: SceneInfo, isOfTypes: boolean, efficacy: number): string[] {
   return [
     words.value.report.assumptions.scope,

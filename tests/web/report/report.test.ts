@@ -1,6 +1,6 @@
 /** What the report says of the rules that luminaires hang by, of energy, and of how it was computed. */
 import { afterEach, expect, jest, test } from '@jest/globals';
-import { energyText, reportOf, rulesText } from '../../../web/report/report.ts';
+import { energyText, reportOf, rulesText, splitAtIndices } from '../../../web/report/report.ts';
 import { usualEnergy } from '../../../web/document/energy.ts';
 import { appInRoom } from '../app-in-room.ts';
 import { fakeScene } from '../fake-solver.ts';
@@ -25,6 +25,11 @@ test('energy is told with what it is reckoned by, where there is a floor', () =>
     'LENI 12.8 kWh/(m² a) by EN 15193-1: 2250 + 250 h by day and night; Fₒ, F_c, F_D 0.90, 1.00, 1.00; standby 1.5 kWh/(m² a).',
   ]);
   expect(energyText({ ...power, floor: null }, usualEnergy)).toEqual([]);
+});
+
+test('the index of a sign is told from the text around it', () => {
+  expect(splitAtIndices('Fₒ, F_c, F_D 0.90; U_d')).toEqual(['Fₒ, F', 'c', ', F', 'D', ' 0.90; U', 'd', '']);
+  expect(splitAtIndices('“OFF_c” and “F_desk” reflect')).toHaveLength(1); // names of a file
 });
 
 test('how it was computed stands by itself, and what the figures rest on is sentences', async () => {

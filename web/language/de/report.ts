@@ -50,6 +50,7 @@ export const report: Words['report'] = {
     mean: 'Mittel',
     min: 'min',
     max: 'max',
+    signs: 'σ: Standardabweichung; Uₒ: dunkelste Stelle / Mittel; U_d: dunkelste / hellste Stelle',
   },
   rules: {
     all: (parts) => `Die Leuchten hängen nach Vorgabe: ${parts}.`,
@@ -77,7 +78,7 @@ export const report: Words['report'] = {
     leni: (value, hours, factors, standby) =>
       `LENI ${value} kWh/(m² a) nach EN 15193-1: ${hours} h bei Tag und Nacht; Fₒ, F_c, F_D ${factors}; Bereitschaft ${standby} kWh/(m² a).`,
     patches: (size) =>
-      `σ, min, max und Uₒ gelten für Teilflächen von ${size} m: Kleinere Teilflächen zeigten mehr Kontrast.`,
+      `σ, min, max, Uₒ und U_d gelten für Teilflächen von ${size} m: Kleinere Teilflächen zeigten mehr Kontrast.`,
     ownCopy: 'Zahlen aus Normen am eigenen Exemplar prüfen.',
   },
 };

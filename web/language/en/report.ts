@@ -49,6 +49,7 @@ export const report = {
     mean: 'mean',
     min: 'min',
     max: 'max',
+    signs: 'σ: spread (standard deviation); Uₒ: darkest / mean; U_d: darkest / brightest spot',
   },
   rules: {
     all: (parts: string) => `Luminaires hang by rule: ${parts}.`,
@@ -76,7 +77,7 @@ export const report = {
     leni: (value: string, hours: string, factors: string, standby: string) =>
       `LENI ${value} kWh/(m² a) by EN 15193-1: ${hours} h by day and night; Fₒ, F_c, F_D ${factors}; standby ${standby} kWh/(m² a).`,
     patches: (size: string) =>
-      `σ, min, max and Uₒ are of patches of ${size} m: smaller patches would show more contrast.`,
+      `σ, min, max, Uₒ and U_d are of patches of ${size} m: smaller patches would show more contrast.`,
     ownCopy: 'Numbers of standards are to be checked in your own copy.',
   },
 };
