@@ -7,7 +7,6 @@
 
 #include "core/base/random.h"
 #include "core/search/bodies.h"
-#include "core/search/type_counts.h"
 
 namespace fiatlux {
 namespace {
@@ -180,7 +179,7 @@ class Occupied {
     for (const std::uint32_t site : tie) {
       barred_[site] = 1;
       taken_.push_back(site);
-      types_.add(typeOf(site), 1);
+      types_.add(typeOf(scene_, site), 1);
     }
   }
   /// A site that only the ties taken so far may hold.
@@ -191,13 +190,10 @@ class Occupied {
   bool leavesRoom(const std::vector<std::uint32_t>& tie, std::uint32_t most) const {
     const auto size = static_cast<std::uint32_t>(tie.size()),
                count = static_cast<std::uint32_t>(taken_.size());
-    return count + size <= most && types_.leaveRoom(typeOf(tie[0]), size, most - count - size);
+    return count + size <= most && types_.leaveRoom(typeOf(scene_, tie[0]), size, most - count - size);
   }
 
  private:
-  std::uint32_t typeOf(std::uint32_t site) const {
-    return scene_.hangings.empty() ? 0 : scene_.hangings[site].type;
-  }
   bool areTooNear(std::uint32_t a, std::uint32_t b) const {
     return isTooNear(length(scene_.sites[a].position - scene_.sites[b].position), minDistance_) ||
            collide(scene_, a, b);
@@ -376,11 +372,10 @@ bool hasRoom(const Scene& scene, const LuminaireRules& rules) {
   }
   bool found = false;
   const Fields fields(grid, rules.count, mostOf(rules), rules.arrangement.axis);
-  const PinsAndExclusions rule(scene.sites.size(), rules);
+  const FieldRules allowed(scene, rules);
   std::vector<std::uint32_t> sites;
   fields.visit([&](const Field& field) {
-    found = !isTooNear(fields.pitchOf(field), rules.minDistance) && fields.sitesOf(field, sites) &&
-            rule.allow(sites) && !fieldCollides(scene, sites, fields.columnsOf(field));
+    found = allowed.allow(fields, field, sites);
     return !found;
   });
   return found;
@@ -428,7 +423,8 @@ double Fields::pitchOf(const Field& field) const {
   return pitch;
 }
 
-PinsAndExclusions::PinsAndExclusions(std::size_t sites, const LuminaireRules& rules) : marks_(sites, 0) {
+FieldRules::FieldRules(const Scene& scene, const LuminaireRules& rules)
+    : scene_(scene), minDistance_(rules.minDistance), types_(scene, rules), marks_(scene.sites.size(), 0) {
   for (const std::uint32_t site : rules.excluded) marks_[site] = 2;
   for (const std::uint32_t site : rules.pinned)
     if (site != kNone) {
@@ -437,7 +433,13 @@ PinsAndExclusions::PinsAndExclusions(std::size_t sites, const LuminaireRules& ru
     }
 }
 
-bool PinsAndExclusions::allow(const std::vector<std::uint32_t>& sites) const {
+bool FieldRules::allow(const Fields& fields, const Field& field, std::vector<std::uint32_t>& sites) const {
+  return !isTooNear(fields.pitchOf(field), minDistance_) && fields.sitesOf(field, sites) &&
+         types_.allowAlone(typeOf(scene_, sites[0]), static_cast<std::uint32_t>(sites.size())) &&
+         holdsPins(sites) && !fieldCollides(scene_, sites, fields.columnsOf(field));
+}
+
+bool FieldRules::holdsPins(const std::vector<std::uint32_t>& sites) const {
   std::uint32_t held = 0;
   for (const std::uint32_t site : sites) {
     if (marks_[site] == 2) return false;

@@ -11,6 +11,7 @@
 
 #include "core/search/intentions.h"
 #include "core/search/site_grid.h"
+#include "core/search/type_counts.h"
 
 namespace fiatlux {
 
@@ -100,13 +101,21 @@ class Fields {
   std::vector<Chain> chains_[2];  // of every length up to `most`, shorter ones first
 };
 
-/// Does a layout hold all pinned sites and no excluded one?
-class PinsAndExclusions {
+/// Which fields may be layouts: those that are whole, hold all pinned sites and no excluded one, keep the
+/// least distance and the bodies apart, and are of a type that may hang so often, and alone. The scene and
+/// the rules must outlive it.
+class FieldRules {
  public:
-  PinsAndExclusions(std::size_t sites, const LuminaireRules& rules);
-  bool allow(const std::vector<std::uint32_t>& sites) const;
+  FieldRules(const Scene& scene, const LuminaireRules& rules);
+  /// `sites` become those of the field, which is one of `fields`.
+  bool allow(const Fields& fields, const Field& field, std::vector<std::uint32_t>& sites) const;
 
  private:
+  bool holdsPins(const std::vector<std::uint32_t>& sites) const;
+
+  const Scene& scene_;
+  double minDistance_;
+  TypeCounts types_;
   std::vector<char> marks_;  // per site: 1 pinned, 2 excluded
   std::uint32_t pinned_ = 0;
 };

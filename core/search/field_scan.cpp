@@ -3,8 +3,6 @@
 
 #include <cassert>
 
-#include "core/search/bodies.h"
-
 namespace fiatlux {
 
 FieldScan::FieldScan(PreparedScene& prepared, const Intentions& intentions, const Layout* reference)
@@ -12,12 +10,9 @@ FieldScan::FieldScan(PreparedScene& prepared, const Intentions& intentions, cons
       all_(prepared.grid(), intentions.luminaires.count, mostOf(intentions.luminaires),
            intentions.luminaires.arrangement.axis),
       bestEvaluation_{kUnbounded, kUnbounded, 1} {
-  const LuminaireRules& rules = intentions.luminaires;
-  const PinsAndExclusions allowed(prepared.scene().sites.size(), rules);
+  const FieldRules allowed(prepared.scene(), intentions.luminaires);
   all_.visit([&](const Field& field) {
-    const bool fits = !isTooNear(all_.pitchOf(field), rules.minDistance) && all_.sitesOf(field, sites_);
-    if (fits && allowed.allow(sites_) && !fieldCollides(prepared.scene(), sites_, all_.columnsOf(field)))
-      fields_.push_back(field);
+    if (allowed.allow(all_, field, sites_)) fields_.push_back(field);
     return true;
   });
   assert(!fields_.empty());

@@ -50,6 +50,14 @@ bool TypeCounts::allow(const Change* changes, std::uint32_t count) const {
   return true;
 }
 
+bool TypeCounts::allowAlone(std::uint32_t type, std::uint32_t luminaires) const {
+  for (std::uint32_t t = 0; t < ranges_.size(); ++t) {
+    const std::uint32_t count = t == type ? luminaires : 0;
+    if (count < ranges_[t].least || count > ranges_[t].most) return false;
+  }
+  return true;
+}
+
 bool TypeCounts::leaveRoom(std::uint32_t type, std::uint32_t luminaires, std::uint32_t left) const {
   if (!isAsked()) return true;
   if (counts_[type] + luminaires > ranges_[type].most) return false;

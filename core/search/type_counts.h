@@ -13,6 +13,11 @@ namespace fiatlux {
 /// Types of a scene's hangings; 0 where its sites hold squares.
 std::uint32_t typeCountOf(const Scene& scene);
 
+/// The type that hangs on a site; 0 of a square.
+inline std::uint32_t typeOf(const Scene& scene, std::uint32_t site) {
+  return scene.hangings.empty() ? 0 : scene.hangings[site].type;
+}
+
 /// Of each of `types` types; what single luminaires must be of is in the least.
 std::vector<TypeRange> rangesOf(const LuminaireRules& rules, std::uint32_t types);
 
@@ -36,6 +41,9 @@ class TypeCounts {
   };
   /// Would they be, after some changes?
   bool allow(const Change* changes, std::uint32_t count) const;
+
+  /// May a layout be `luminaires` of one type?
+  bool allowAlone(std::uint32_t type, std::uint32_t luminaires) const;
 
   /// May `luminaires` of a type join where up to `left` more may follow?
   bool leaveRoom(std::uint32_t type, std::uint32_t luminaires, std::uint32_t left) const;

@@ -140,8 +140,7 @@ export function knownOf(store: Store): Comparison | null {
   const tried = comparison.value;
   if (tried?.of !== intentions) return tried;
   const rule = intentions.luminaires.arrangement?.rule ?? 'free';
-  const isAtRest = ['settled', 'shown'].includes(progress.value.state);
-  const settled = isAtRest && !typesRuleOut(intentions.luminaires) ? shown.value : null;
+  const settled = ['settled', 'shown'].includes(progress.value.state) ? shown.value : null;
   const cost = (layout: Layout) => wattsOf(layout, efficacy.value, document.value.luminaires.types);
   const counts = countsKnown(tried, rule, settled);
   return { ...tried, counts, rules: rulesKnown(tried, rule, settled, cost) };
@@ -295,19 +294,15 @@ export class Comparing {
     if (this.#store.traced.peek().intentions === of) this.#store.relief.value = relief;
   }
 
-  /**
-   * Tells all outcomes once they are there, none where the numbers of the types are against it; what is dropped before, as by the same search begun anew, is
-   * asked again.
-   */
+  /** Tells all outcomes once they are there; what is dropped before, as by the same search begun anew, is asked again. */
   #try(variants: readonly Intentions[], evaluations: number, told: (outcomes: (Outcome | null)[]) => void) {
     const outcomes: (Outcome | null)[] = [];
     if (variants.length === 0) return told(outcomes);
     this.#solving.compare(
       variants,
       evaluations,
-      ({ variant, outcome, done }) => {
-        const asked = variants[variant]?.luminaires;
-        outcomes.push(asked && typesRuleOut(asked) ? null : outcome);
+      ({ outcome, done }) => {
+        outcomes.push(outcome);
         if (done) told(outcomes);
       },
       () => void (this.#asked.value = null),

@@ -235,6 +235,49 @@ TEST(TypesInOneSearch, ALuminaireIsOfTheTypeThatItMustBe) {
   }
 }
 
+/// Of the best field, of each type.
+std::vector<std::uint32_t> countsInField(const Intentions& intentions) {
+  PreparedScene prepared(mixed());
+  LayoutSearch search(prepared, intentions, 1);
+  search.advance(10000);
+  return countsIn(mixed(), search.incumbent());
+}
+
+TEST(TypesInOneSearch, AFieldIsOfATypeThatMayHangSoOftenAndAlone) {
+  using Counts = std::vector<std::uint32_t>;
+  Intentions intentions = evenFloor(3);
+  LuminaireRules& rules = intentions.luminaires;
+  rules.arrangement = {Rule::kField};
+  const auto ask = [&](const std::vector<TypeRange>& types) {
+    rules.types = types;
+    return checkIntentions(mixed(), intentions);
+  };
+  for (const std::uint32_t type : {0u, 1u}) {
+    Counts alone(2, 0);
+    alone[type] = 3;
+    std::vector<TypeRange> types(2, {0, 6});
+    types[type].least = 1;
+    ASSERT_TRUE(ask(types));
+    EXPECT_EQ(countsInField(intentions), alone);
+    types[type].least = 0;
+    types[1 - type].most = 2;
+    ASSERT_TRUE(ask(types));
+    EXPECT_EQ(countsInField(intentions), alone);
+  }
+  const Result<Done> both = ask({{1, 6}, {1, 6}});
+  ASSERT_FALSE(both);
+  EXPECT_NE(both.error().message.find("no regular field of 3"), std::string::npos);
+  EXPECT_FALSE(ask({{0, 2}, {0, 2}}));
+  rules.ofType = {0, kNone, 1};
+  EXPECT_FALSE(ask({{0, 6}, {0, 6}}));
+  rules.ofType.clear();
+  rules.count = 2;
+  rules.countHigh = 4;
+  ASSERT_TRUE(ask({{0, 2}, {0, 2}}));
+  const Counts few = countsInField(intentions);
+  EXPECT_EQ(few[0] + few[1], 2u);
+}
+
 TEST(TypesInOneSearch, PowerIsTheSumOfTheirWatts) {
   Intentions intentions = evenFloor(2);
   intentions.luminaires.dimmingLow = 0.5;
