@@ -28,7 +28,9 @@ export class BuilderDriver {
       if (!builder) throw new Error('the builder was not started');
       this.#answer(builder, message);
     } catch (error) {
-      this.#post({ type: 'failed', message: lineOf(error), isTooLarge: isTooLarge(error) }, []);
+      const times = error instanceof Refusal ? excessOf(error.message)?.times : undefined;
+      const message = lineOf(error);
+      this.#post({ type: 'failed', message, isTooLarge: isTooLarge(error), ...(times && { times }) }, []);
     }
   }
 
@@ -112,6 +114,20 @@ function isTooLarge(error: unknown): boolean {
   return ranOut(what) || (error instanceof Refusal && what.includes(tellsOfMemory));
 }
 
+/** What the pipeline foresees to be too much: its figures, and how many patches, or else places, these are of. */
+function excessOf(refusal: string): { times: number; line: string } | null {
+  const told = /^(.*?)this would need (\S+) GB, and --memory allows (\S+): too many are (.*);/.exec(refusal);
+  const [, place = '', needed = '', most = '', what = ''] = told ?? [];
+  const patches = /(\S+) patches/.exec(what)?.[1];
+  const places = /(\S+) sites/.exec(what)?.[1];
+  if (!patches && !places) return null;
+  const many = patches
+    ? `${patches} patches are too many; take larger ones,`
+    : `${places} places for luminaires are too many; take a wider grid,`;
+  const line = `${place}this would need ${needed} GB of memory, and a page may use ${most}: ${many} make the room smaller, or use the command`;
+  return { times: Number(needed) / Number(most), line };
+}
+
 /** Of the module's own refusals as of the browser's. */
 const ranOut = (what: string) =>
   /not enough memory|out of memory|allocat|\bOOM\b|bad_alloc|grow memory/i.test(what) &&
@@ -123,9 +139,10 @@ function lineOf(error: unknown): string {
   if (ranOut(what)) return 'not enough memory in this browser: close other pages, or take larger patches';
   if (!(error instanceof Refusal))
     return `the room could not be computed (${what}); load the page again, or use fiatlux precompute`;
+  const excess = excessOf(what);
+  if (excess) return excess.line;
   return what.includes(tellsOfMemory)
     ? what
-        .replace('and --memory allows', 'and a page may use')
         .replace(tellsOfMemory, 'a page may use')
         .replace(/pass [^;]*$/, 'take larger patches, make the room smaller, or use the command')
     : what.replace(/pass fewer --rays/, 'make the room smaller, or use the command');

@@ -70,7 +70,15 @@ export class Stopped extends Error {
 }
 
 /** Memory is missing: larger patches need less. */
-export class TooLarge extends Error {}
+export class TooLarge extends Error {
+  /** `times`: so many times what there is would be needed; absent: nobody has foreseen it. */
+  constructor(
+    message: string,
+    readonly times?: number,
+  ) {
+    super(message);
+  }
+}
 
 export class BuilderPool {
   readonly #startWorker: () => BuilderWorker;
@@ -287,7 +295,7 @@ class Member {
       const answer = (given: FromBuilder) => {
         if (given.type === type) resolve(given as Answer<Type>);
         else if (given.type === 'failed')
-          reject(given.isTooLarge ? new TooLarge(given.message) : new Error(given.message));
+          reject(given.isTooLarge ? new TooLarge(given.message, given.times) : new Error(given.message));
         else reject(new Error('the builder answers something else'));
       };
       this.#questions.push({ answer, fail: reject });

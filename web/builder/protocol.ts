@@ -30,5 +30,10 @@ export type FromBuilder =
   | { readonly type: 'joined' }
   | { readonly type: 'assembled'; readonly file: Uint8Array<ArrayBuffer>; readonly held: number } // bytes of the module
   | { readonly type: 'lit'; readonly columns: Float32Array<ArrayBuffer> }
-  | { readonly type: 'failed'; readonly message: string; readonly isTooLarge: boolean } // instead of an answer; for its memory
+  | {
+      readonly type: 'failed'; // instead of an answer
+      readonly message: string;
+      readonly isTooLarge: boolean; // for its memory
+      readonly times?: number; // so many times what there is would be needed, where that was foreseen
+    }
   | { readonly type: 'told'; readonly stage: string; readonly share: number }; // at any time

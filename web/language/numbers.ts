@@ -34,6 +34,9 @@ export function shortest(value: number): string {
   return written(formatOf(0, 20), value);
 }
 
+/** "1 234", of plain digits as a fault has them. */
+export const grouped = (digits: string): string => shortest(Number(digits));
+
 /** "1234.5", for a field to type in: as `shortest`, without spaces. */
 export function typed(value: number): string {
   return shortest(value).replaceAll(thin, '');

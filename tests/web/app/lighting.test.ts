@@ -76,6 +76,7 @@ function lightingOf(first: SceneInfo) {
     told: [] as string[],
     work: 3,
     why: '',
+    times: undefined as number | undefined, // of the memory there is, that what is too large would need
     resumed: 0, // searches of the room before
     foreseen: [] as (number | undefined)[],
     seen: [] as (string | undefined)[],
@@ -98,7 +99,7 @@ function lightingOf(first: SceneInfo) {
   const pool = {
     survey: async () => ({ scale: 0.5, patch: 0.1 }),
     open: async (_: Model, { patch }: BuildOptions) => {
-      if (patch < 0.4) throw new TooLarge('this would need 2 GB');
+      if (patch < 0.4) throw new TooLarge('this would need 2 GB', room.times);
     },
     build: async ({ options, model, opened, tell }: BuildWish) => {
       built.push(options);
@@ -231,6 +232,18 @@ test('a model that is too large for memory is refused before its draft is comput
   await lighting.coarser();
   expect(models).toHaveLength(2);
   expect(store.lighting.value).toBeNull();
+});
+
+test('of patches that need many times the memory those are asked for at once that fit', async () => {
+  const { store, room, built, models, lighting } = lightingOf(draft);
+  room.counts = { rows: 20_000, patchSize: 1 };
+  room.times = 16;
+  const model: Model = { name: 'a.glb', bytes: new Uint8Array(4), siblings: new Map() };
+  store.preview.value = 'a.glb';
+  await lighting.light(model, { ...usualChoices, patch: 0.1 });
+  await lighting.coarser();
+  expect(built.at(-1)?.patch).toBe(0.46);
+  expect(models).toHaveLength(2);
 });
 
 test('a room that is on the screen stays where it is too large in another way, and larger patches are offered', async () => {

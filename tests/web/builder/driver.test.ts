@@ -30,14 +30,17 @@ test('memory that runs out is told as that, whoever tells it', async () => {
   expect(await answerWhere("throw new RangeError('Array buffer allocation failed')")).toEqual(ranOut);
 });
 
-test('what would not fit is told before it is computed, in words of the page', async () => {
-  const refusal =
-    'this would need 9 GB, and --memory allows 1.5: too many are 9 sites; pass a larger --patch or --cluster';
+test.each([
+  ['100000 patches x 3000 clusters', '100000 patches are too many; take larger ones'],
+  ['60000 patches x 260 sites, and their exchange', '60000 patches are too many; take larger ones'],
+  ['4 surfaces x 9000 sites squared', '9000 places for luminaires are too many; take a wider grid'],
+])('what would not fit is told before it is computed, in words of the page: %s', async (what, told) => {
+  const refusal = `this would need 9 GB, and --memory allows 1.5: too many are ${what}; pass a larger --patch or --cluster`;
   expect(await answerWhere(`return '${refusal}'`)).toEqual({
     type: 'failed',
-    message:
-      'this would need 9 GB, and a page may use 1.5: too many are 9 sites; take larger patches, make the room smaller, or use the command',
+    message: `this would need 9 GB of memory, and a page may use 1.5: ${told}, make the room smaller, or use the command`,
     isTooLarge: true,
+    times: 6,
   });
 });
 

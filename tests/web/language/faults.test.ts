@@ -89,6 +89,23 @@ test('a rule that leaves no layout is told of one luminaire and of many', async 
   );
 });
 
+test('what is too much for memory is told with numbers that can be read', async () => {
+  const told = (many: string) =>
+    inOurWords(
+      `this would need 9.5 GB of memory, and a page may use 1.5: ${many}, make the room smaller, or use the command`,
+    );
+  expect(told('100000 patches are too many; take larger ones')).toMatch(
+    /: 100\u202f000 patches are too many; /,
+  );
+  await speak('de');
+  expect(told('100000 patches are too many; take larger ones')).toMatch(
+    / 9,5 GB .* 100\u202f000 Teilflächen /,
+  );
+  expect(told('9000 places for luminaires are too many; take a wider grid')).toMatch(
+    /9\u202f000 Plätze .* Raster/,
+  );
+});
+
 /** The text of what says them, its broken strings joined. */
 function sources(
   folders: readonly string[] = [

@@ -25,3 +25,9 @@ export function isBeyondMemory(
 ): boolean {
   return rows * (patchSize / (patch || usualPatch)) ** 2 > mostRows;
 }
+
+/**
+ * How many times as long patches are to be where so many times the memory would be needed: it falls as their number does, but
+ * for a part that stays, for which there is something to spare.
+ */
+export const longerForMemory = (times: number): number => 1.15 * Math.sqrt(times);

@@ -27,7 +27,7 @@ import { carriedOver, fitting } from './carried-over.ts';
 import { Polishing } from './polishing.ts';
 import type { ImportSheet } from './import-sheet.ts';
 import { siteModel } from './site-model.ts';
-import { isBeyondMemory, secondsForeseen } from './foreseen.ts';
+import { isBeyondMemory, longerForMemory, secondsForeseen } from './foreseen.ts';
 import { TimeLeft } from './time-left.ts';
 import { words } from '../../language/language.ts';
 import { reasonOf } from '../../document/reason.ts';
@@ -66,6 +66,7 @@ export class Lighting {
   #model: Model | null = null;
   #modelOf: string | null = null; // the room that the model at hand is that of, as documents call it
   #choices: ModelChoices = usualChoices;
+  #longer = coarser; // times as long are patches to be, where somebody asks for larger ones
 
   constructor(
     store: Store,
@@ -101,6 +102,7 @@ export class Lighting {
     this.#model = model;
     if (!running.isAgain) this.#modelOf = null;
     this.#choices = choices ?? usualChoices;
+    this.#longer = coarser;
     try {
       if (!choices) await this.#recall(model, running);
       const pool = await this.#createPool();
@@ -119,7 +121,9 @@ export class Lighting {
     } catch (error) {
       if (running.controller.signal.aborted || error instanceof Stopped || error instanceof Superseded)
         return;
-      this.#fail(reasonOf(error), error instanceof TooLarge);
+      const isTooLarge = error instanceof TooLarge;
+      if (isTooLarge && error.times) this.#longer = longerForMemory(error.times);
+      this.#fail(reasonOf(error), isTooLarge);
     } finally {
       if (this.#running === running) this.#running = null;
     }
@@ -132,10 +136,10 @@ export class Lighting {
 
   /** Once more with larger patches, after memory ran out. */
   async coarser(): Promise<void> {
-    const model = this.#model;
+    const [model, longer] = [this.#model, this.#longer];
     if (!model) return;
     const usual = this.#choices.patch || (await this.#usualPatch(model));
-    const patch = Number((coarser * usual).toPrecision(2));
+    const patch = Number((longer * usual).toPrecision(2));
     if (model === this.#model && usual > 0) await this.light(model, { ...this.#choices, patch });
   }
 

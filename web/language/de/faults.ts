@@ -1,5 +1,6 @@
 /** What the solver, the builder and the readers of files say. */
 import type { Words } from '../en.ts';
+import { grouped } from '../numbers.ts';
 import { photometricFaults } from './photometric-faults.ts';
 
 /** Ways by which light leaves. */
@@ -72,8 +73,10 @@ export const faults: Words['faults'] = {
     `Das Modell hat ${count} Dreiecke, höchstens ${most} Millionen sind möglich; die Netze vereinfachen`,
   pageMemory:
     'dieser Browser hat nicht genug Speicher: andere Seiten schließen oder größere Teilflächen nehmen',
-  pageTooSmall: (needed, most, what) =>
-    `dafür wären ${needed} GB nötig, und eine Seite darf ${most} belegen (zu viele: ${what}): größere Teilflächen nehmen, den Raum verkleinern oder den Befehl verwenden`,
+  pageManyPatches: (needed, most, patches) =>
+    `dafür wären ${needed} GB Speicher nötig, und eine Seite darf ${most} belegen: ${grouped(patches)} Teilflächen sind zu viele; größere nehmen, den Raum verkleinern oder den Befehl verwenden`,
+  pageManyPlaces: (needed, most, places) =>
+    `dafür wären ${needed} GB Speicher nötig, und eine Seite darf ${most} belegen: ${grouped(places)} Plätze für Leuchten sind zu viele; ein weiteres Raster nehmen, den Raum verkleinern oder den Befehl verwenden`,
   noMemory: 'Das Modell braucht mehr Speicher, als da ist; das Modell verkleinern',
   narrow: (width) =>
     `Der Raum ist nur ${width} m breit; die Einheit der Datei wählen (Wie es verstanden wurde)`,

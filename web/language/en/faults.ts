@@ -34,8 +34,10 @@ export const faults = {
   manyTriangles: (count: string, most: string) =>
     `${count} triangles after instancing, and ${most} million are accepted; simplify the meshes`,
   pageMemory: 'not enough memory in this browser: close other pages, or take larger patches',
-  pageTooSmall: (needed: string, most: string, what: string) =>
-    `this would need ${needed} GB, and a page may use ${most}: too many are ${what}; take larger patches, make the room smaller, or use the command`,
+  pageManyPatches: (needed: string, most: string, patches: string) =>
+    `this would need ${needed} GB of memory, and a page may use ${most}: ${patches} patches are too many; take larger ones, make the room smaller, or use the command`,
+  pageManyPlaces: (needed: string, most: string, places: string) =>
+    `this would need ${needed} GB of memory, and a page may use ${most}: ${places} places for luminaires are too many; take a wider grid, make the room smaller, or use the command`,
   noMemory: 'needs more memory than there is; make the model smaller',
   narrow: (width: string) =>
     `the room is only ${width} m wide: pass --scale with the metres of one unit of the file`,

@@ -2,6 +2,7 @@
  * What the pipeline tells with options of the command, as the page says it: with what can be done on the page. Other languages
  * say the faults as the page does from the first.
  */
+import { grouped } from '../numbers.ts';
 import { faults } from './faults.ts';
 
 const luminaires = (count: string) => `${count} ${count === '1' ? 'luminaire' : 'luminaires'}`;
@@ -22,6 +23,8 @@ export const pageFaults: Partial<typeof faults> = {
   tooLarge: faults.tooLarge, // the option before it is left out
   noSuchPlace: (where) =>
     `${where}: this point is not inside a room; click on a floor or a wall within the room`,
+  pageManyPatches: (needed, most, patches) => faults.pageManyPatches(needed, most, grouped(patches)),
+  pageManyPlaces: (needed, most, places) => faults.pageManyPlaces(needed, most, grouped(places)),
   manyCells: (patch, cells) =>
     `patches of ${patch} m need ${cells} grid cells, more than memory allows; take larger patches`,
   roomMemory: 'not enough memory for this room; take larger patches',
