@@ -1,9 +1,10 @@
 // A phone in the hand: nothing is clipped, the room stays in sight, everything is done by fingers.
-// Covers camera-rig, pointer-input, view-input, slider, use-sheet.
+// Covers camera-rig, pointer-input, view-input, slider, use-sheet, read-on.
 import type { CDPSession, Page } from '@playwright/test';
 import {
   canvas,
   difference,
+  drop,
   expect,
   openApp,
   openRoom,
@@ -243,4 +244,32 @@ test('what a phone shows is all there where a tablet opens its link', async ({ p
         [x, x + width],
       );
   await expect.poll(beyond).toBe(0); // tags stand in the corner until the first picture
+});
+
+/** A box of 4 x 3 x 5 m, of which there is to be remarked that nothing has a material. */
+function plainBox(): string {
+  const corners = [0, 1, 2, 3, 4, 5, 6, 7].map(
+    (i) => `v ${(i & 1) * 4} ${((i >> 1) & 1) * 3} ${(i >> 2) * 5}`,
+  );
+  const faces = ['1 2 4 3', '5 7 8 6', '1 5 6 2', '3 4 8 7', '1 3 7 5', '2 6 8 4'].map((face) => `f ${face}`);
+  return ['o room', ...corners, ...faces].join('\n');
+}
+
+test('what is told of a dropped model leaves its picture in sight, and is there for who reads on', async ({
+  page,
+}) => {
+  test.setTimeout(300_000); // beside light that is computed
+  await openRoom(page, 'Box');
+  await drop(page, { 'room.obj': plainBox() });
+  const note = page.getByRole('region', { name: 'Light is being computed' });
+  const remark = page.locator('.toast-warning').first();
+  const heightOf = async (told: typeof note) => (await told.boundingBox())?.height ?? 0;
+  await expect(remark).toBeVisible({ timeout: 120_000 });
+  expect(await heightOf(note)).toBeLessThan(72);
+  expect(await heightOf(remark)).toBeLessThan(72);
+  const before = await heightOf(remark);
+  await remark.getByRole('button', { name: 'Read on' }).tap();
+  expect(await heightOf(remark)).toBeGreaterThan(before);
+  await note.getByRole('button', { name: 'Read on' }).tap();
+  await expect(note.getByText(/ %/)).toBeVisible();
 });

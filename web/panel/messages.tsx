@@ -1,8 +1,9 @@
 /** Messages that stay until they are read, and the live region that speaks for the picture. */
 import { Info, TriangleAlert, X } from 'lucide-preact';
-import { useEffect } from 'preact/hooks';
+import { useEffect, useState } from 'preact/hooks';
 import type { Message, Store } from '../app/state/store.ts';
 import { words } from '../language/language.ts';
+import { ReadOn } from './controls/read-on.tsx';
 
 export function Messages({ store }: { store: Store }) {
   return (
@@ -16,13 +17,14 @@ export function Messages({ store }: { store: Store }) {
 
 function Toast({ message, close }: { message: Message; close: () => void }) {
   const { kind, text, action } = message;
+  const [isOpen, setIsOpen] = useState(false);
   useEffect(() => {
     if (kind !== 'info') return;
     const timer = setTimeout(close, 7000);
     return () => clearTimeout(timer);
   }, []);
   return (
-    <div class={`toast toast-${kind}`} role={kind === 'error' ? 'alert' : 'status'}>
+    <div class={`toast toast-${kind} ${isOpen ? 'open' : ''}`} role={kind === 'error' ? 'alert' : 'status'}>
       {kind === 'info' ? <Info size={16} aria-hidden /> : <TriangleAlert size={16} aria-hidden />}
       <p>{text}</p>
       {action && (
@@ -36,6 +38,7 @@ function Toast({ message, close }: { message: Message; close: () => void }) {
           {action.label}
         </button>
       )}
+      {kind === 'warning' && <ReadOn isOpen={isOpen} toggle={() => setIsOpen(!isOpen)} />}
       <button class="icon-button small" aria-label={words.value.bars.messages.dismiss} onClick={close}>
         <X size={14} aria-hidden />
       </button>

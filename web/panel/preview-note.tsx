@@ -1,9 +1,11 @@
 /** What becomes of a dropped model: how far its light is, what stands in the way, and how to end it. */
 import { Copy, PencilRuler, X } from 'lucide-preact';
+import { useState } from 'preact/hooks';
 import { useApp } from '../app/app.ts';
 import { long } from '../app/lighting/foreseen.ts';
 import { isDraftOnScreen, lessWork, titleOf } from '../app/lighting/lighting.ts';
 import type { LightingState } from '../app/state/store.ts';
+import { ReadOn } from './controls/read-on.tsx';
 import { OpenSheet } from './import-sheet-panel.tsx';
 import { words } from '../language/language.ts';
 
@@ -70,9 +72,10 @@ function Working({ state }: { readonly state: LightingState }) {
   const { store } = useApp();
   const { name, stage, share, secondsLeft } = state;
   const isDraftShown = isDraftOnScreen(store);
+  const [isOpen, setIsOpen] = useState(false);
   return (
     <section
-      class={store.preview.value ? 'preview-note working' : 'preview-note small working'}
+      class={`preview-note working ${store.preview.value ? '' : 'small'} ${isOpen ? 'open' : ''}`}
       aria-label={words.value.opening.preview.working}
     >
       <header>
@@ -81,6 +84,7 @@ function Working({ state }: { readonly state: LightingState }) {
             ? words.value.opening.preview.of(titleOf(name))
             : words.value.opening.preview.lighting(titleOf(name))}
         </h2>
+        <ReadOn isOpen={isOpen} toggle={() => setIsOpen(!isOpen)} />
         <Close />
       </header>
       <progress max={1} value={share} aria-label={words.value.opening.preview.stages[stage]} />
@@ -103,10 +107,10 @@ function Long({ state: { secondsForeseen = 0 } }: { readonly state: LightingStat
   if (secondsForeseen <= long) return null;
   return (
     <>
-      <p role="status">
+      <p class="long" role="status">
         {words.value.opening.preview.long(timeLeft(secondsForeseen), timeLeft(lessWork * secondsForeseen))}
       </p>
-      <div class="row">
+      <div class="row long">
         <button class="button small" onClick={() => void opening.lighting.coarser()}>
           {words.value.opening.preview.coarser}
         </button>

@@ -73,7 +73,7 @@ export const bars: Words['bars'] = {
     direct: 'Direkte Beleuchtungsstärke, lx',
     logarithmic: (title) => `${title} (logarithmisch)`,
   },
-  messages: { name: 'Meldungen', dismiss: 'Meldung schließen' },
+  messages: { name: 'Meldungen', dismiss: 'Meldung schließen', readOn: 'Weiterlesen', readLess: 'Weniger' },
   openHere: 'In Fiat Lux öffnen',
   drop: {
     here: 'Hier ablegen',

@@ -72,7 +72,7 @@ export const bars = {
     direct: 'Direct illuminance, lx',
     logarithmic: (title: string) => `${title} (logarithmic)`,
   },
-  messages: { name: 'Messages', dismiss: 'Dismiss this message' },
+  messages: { name: 'Messages', dismiss: 'Dismiss this message', readOn: 'Read on', readLess: 'Read less' },
   openHere: 'Open in Fiat Lux',
   drop: {
     here: 'Drop it here',
