@@ -569,7 +569,7 @@ export class Solving {
   async #easeAxis(refusal: number, message: string): Promise<void> {
     const { luminaires } = this.#store.traced.peek().intentions;
     const eased = easedAxes(luminaires.arrangement);
-    if (eased.length === 0) return;
+    if (eased.length === 0 || typesRuleOut(luminaires)) return;
     const asked = eased.map((arrangement) => ({ ...luminaires, arrangement }));
     const arrangement = eased[(await this.fit(asked).catch(() => null)) ?? -1];
     if (!arrangement || this.#refusal !== refusal) return;

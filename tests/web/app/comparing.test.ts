@@ -247,10 +247,14 @@ test('a refusal says where it is the numbers of the types that leave no layout',
   const types = ['a', 'b'].map((id) => luminaireType(id, photometricText(), { count: [1, 6] }));
   store.edit('Types', (draft) => void (draft.luminaires.types = types as never));
   await settle();
-  app.comparing.arrange({ rule: 'rows', leastInRow: 4 });
-  const message = `arrangement: found no layout in rows of 6 luminaires, at least 4 in each, on the free sites`;
+  app.comparing.arrange({ rule: 'field', axis: 'both' });
+  await settle();
+  const message = 'arrangement: found no regular field of 6 luminaires on the free sites';
   solver.say({ type: 'failed', revision: solver.last('solve')!.revision, message, fatal: false });
-  expect(store.messages.value.at(-1)?.text).toMatch(/^A row is of one type, /);
+  await settle();
+  const refusal = store.messages.value.at(-1);
+  expect(refusal?.text).toMatch(/^A row is of one type, /);
+  expect(refusal?.action).toBeUndefined(); // with less of an axis there would be none either
 });
 
 test('a search for what missed a bound begins where it would anyway', () => {
