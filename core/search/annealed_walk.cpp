@@ -16,9 +16,9 @@ constexpr double kFollow = 0.05, kFollowSurveys = 0.1;  // of what is measured a
 constexpr double kFirstTemperature = 0.01;              // of the goal, before it is led
 constexpr double kFirstPenalty = 4;                     // likewise, of a violation of 100 %
 constexpr double kLeastPenalty = 0.1, kLargestPenalty = 1e6;
-constexpr double kFirstAimShare = 0.01;  // of what a missed aim costs
-constexpr double kAimRise = 4.6;         // in a walk: the logarithm of 1 / kFirstAimShare
-constexpr double kLeastGoal = 1e-3;      // a goal near 0 is no scale
+constexpr double kFirstAim = 1.0 / 30;  // of what a missed aim costs in the end
+constexpr double kAimRise = 3.4;        // in a walk: the logarithm of 1 / kFirstAim
+constexpr double kLeastGoal = 1e-3;     // a goal near 0 is no scale
 
 /// About exponentially distributed, of mean 1: its density halves from step to step. Without a logarithm,
 /// which machines round differently.
@@ -49,7 +49,7 @@ void AnnealedWalk::begin(std::uint64_t trials, double heat, double goal) {
   temperature_ = kFirstTemperature * heat * scale_;
   if (bounded_ && penalty_ == 0) penalty_ = kFirstPenalty * scale_;
   taken_ = kTakenFirst * heat;
-  aimShare_ = kFirstAimShare;
+  aimShare_ = kFirstAim * lastAimShare_;
 }
 
 void AnnealedWalk::open(const Surroundings& at, Scan& scan) {
@@ -129,7 +129,7 @@ void AnnealedWalk::close(const Scan& scan, const Evaluation& current) {
   const double wanted = kTakenFirst * heat_ * left;
   temperature_ *= taken_ > wanted ? 1 - follow_ : 1 + follow_;
   const double part = static_cast<double>(std::max(scan.size, 1u)) / static_cast<double>(trials_);
-  aimShare_ = std::min(1.0, aimShare_ * (1 + kAimRise * part));
+  aimShare_ = std::min(lastAimShare_, aimShare_ * (1 + kAimRise * part));
   if (!bounded_) return;
   penalty_ *= current.violation > 0 ? 1 + follow_ : 1 - follow_;
   penalty_ = std::clamp(penalty_, kLeastPenalty * scale_, kLargestPenalty * scale_);

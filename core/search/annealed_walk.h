@@ -5,7 +5,7 @@
 // The temperature is led by how many steps are taken, which are to become fewer; a broken bound costs a
 // penalty, which grows while bounds are broken and shrinks while they are met, so that the walk keeps to
 // their edge. Neither knows any unit. What a missed aim costs is little at first, for one that is met hardly
-// lets anything move, and all of it in the end.
+// lets anything move, and in the end as much as leads there.
 #pragma once
 
 #include <cstdint>
@@ -16,8 +16,10 @@ namespace fiatlux {
 
 class AnnealedWalk {
  public:
-  /// `swaps`: to change places is a move; `bounded`: there are constraints.
-  AnnealedWalk(bool swaps, bool bounded) : swaps_(swaps), bounded_(bounded) {}
+  /// `swaps`: to change places is a move; `bounded`: there are constraints; `aimShare`: of what missed aims
+  /// cost, at the end of a walk.
+  AnnealedWalk(bool swaps, bool bounded, double aimShare)
+      : swaps_(swaps), bounded_(bounded), lastAimShare_(aimShare) {}
 
   /// Starts anew, for about `trials` trials. `heat`: 1 forgets where it starts, less keeps something of it;
   /// `goal`: a value that goals have. What a broken bound costs is what the last walk learned.
@@ -34,12 +36,15 @@ class AnnealedWalk {
   std::uint64_t trials() const { return trials_; }
   /// What a violation of 100 % costs, in units of the goal; 0 where there are no constraints.
   double penalty() const { return penalty_; }
+  /// What counts at the end of a walk, as the last one has learned.
+  Prices prices() const { return {penalty_, lastAimShare_}; }
 
  private:
   void survey(const Surroundings& at, Scan& scan) const;
   bool openSwap(const Surroundings& at, Scan& scan) const;
 
   bool swaps_, bounded_;
+  double lastAimShare_;
   std::uint64_t trials_ = 0, done_ = 0;
   double heat_ = 1, scale_ = 1;
   double temperature_ = 0;  // in units of the goal, as is

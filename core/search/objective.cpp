@@ -12,6 +12,18 @@ namespace fiatlux {
 namespace {
 
 constexpr double kBeyondAll = 1e30;  // an infinite ratio in a sum of goals, which stays a number
+constexpr double kLeadingAim = 3;    // times as weighty as all other goals: so much leads a search to an aim
+
+double leadingShareOf(const std::vector<Goal>& goals) {
+  double heaviestAim = 0, others = 0;
+  for (const Goal& goal : goals) {
+    if (goal.sense == Sense::kNear)
+      heaviestAim = std::max(heaviestAim, goal.weight);
+    else
+      others += goal.weight;
+  }
+  return others > 0 && heaviestAim > kLeadingAim * others ? kLeadingAim * others / heaviestAim : 1;
+}
 
 /// What a ratio adds to the goal; one without a value is the worst, for ratios are 0 or more.
 double worthOf(double ratio, double factor) {
@@ -24,6 +36,7 @@ double worthOf(double ratio, double factor) {
 Objective::Objective(PreparedScene& prepared, const Intentions& intentions, const Layout& reference)
     : dimmingLow_(intentions.luminaires.dimmingLow),
       dimmingHigh_(intentions.luminaires.dimmingHigh),
+      leadingAimShare_(leadingShareOf(intentions.goals)),
       powerVaries_(countVaries(intentions.luminaires) || !prepared.scene().hangings.empty()) {
   assert(checkIntentions(prepared.scene(), intentions, Asking::kBoundSearch));
   for (double flux : fluxesOf(intentions.luminaires)) totalFlux_ += flux;

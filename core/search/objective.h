@@ -70,6 +70,9 @@ class Objective {
   const std::vector<ObjectiveSet>& sets() const { return sets_; }
   bool needsExtremes() const { return needsExtremes_; }
   bool hasConstraints() const { return !sides_.empty(); }
+  /// The share of what missed aims cost that is enough to lead a search to layouts that miss them little: an
+  /// aim that weighs far more than the other goals hardly lets anything move. 1 where none does.
+  double leadingAimShare() const { return leadingAimShare_; }
 
   /// `moments` and `extremes`: one per set (extremes are read only where needed). With hoped-for extremes the
   /// result is a bound: no layout with these moments is better.
@@ -143,7 +146,7 @@ class Objective {
   std::vector<ObjectiveSet> sets_;
   std::vector<Bound> sides_;
   std::vector<Term> terms_;
-  double totalFlux_ = 0, dimmingLow_ = 1, dimmingHigh_ = 1;
+  double totalFlux_ = 0, dimmingLow_ = 1, dimmingHigh_ = 1, leadingAimShare_ = 1;
   bool needsExtremes_ = false, powerVaries_ = false, maySurvey_ = false, hasAims_ = false;
   std::uint32_t powerSet_ = kNone;           // the set that sums powers, where power is asked for and varies
   mutable std::vector<DimmedBound> bounds_;  // scratch, one per side

@@ -87,7 +87,7 @@ Vns::Vns(PreparedScene& prepared, const Intentions& intentions, const LuminaireR
       rules_(rules),
       areDifferent_(areUnlike(prepared, evaluator_.flux())),
       length_(paceOf(here()).trialsPerLuminaire * freeSites_.movable().size()),
-      walk_(areDifferent_, evaluator_.objective().hasConstraints()),
+      walk_(areDifferent_, evaluator_.objective().hasConstraints(), evaluator_.objective().leadingAimShare()),
       memory_(prepared, evaluator_.flux()) {}
 
 void Vns::open(const std::vector<std::uint32_t>& sites) {
@@ -202,8 +202,9 @@ void Vns::keepBest() {
 
 /// To the next neighbourhood that is worth while; after the last one the local search has ended.
 void Vns::leave() {
-  // Within all bounds none becomes better when they are firm: it would have been taken at a price, too.
-  if (easing_ && evaluator_.current().violation > 0) return enter(0);
+  // Where nothing is broken or missed none becomes better at firm prices: it would have been taken before.
+  const Evaluation& now = evaluator_.current();
+  if (easing_ && (now.violation > 0 || now.missed > 0)) return enter(0);
   for (std::size_t next = neighborhood_ + 1; next < neighborhoods().size(); ++next) {
     const Neighborhood& row = neighborhoods()[next];
     if ((thorough_ || row.afterShakes) && (areDifferent_ || !row.needsDifferent)) return enter(next);
@@ -270,14 +271,14 @@ std::uint32_t Vns::tryCrossings(std::uint32_t limit) {
   return spent;
 }
 
-/// A local search from there: quick, and at first one that may break bounds a little.
+/// A local search from there: quick, and at first one that may break bounds and miss aims a little.
 void Vns::searchChild(const std::vector<std::uint32_t>& child) {
   thorough_ = false;
   begin(child);
   crossing_ = true;
   foundSince_ = false;
-  easing_ = walk_.penalty() > 0;
-  evaluator_.setPrices({walk_.penalty()});
+  easing_ = !walk_.prices().areFirm();
+  evaluator_.setPrices(walk_.prices());
 }
 
 /// The first time, all luminaires around each site (or some, where there are very many); later, some of them

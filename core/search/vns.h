@@ -103,7 +103,7 @@ class Vns {
   // What local searches have found, and the crossings of it.
   LayoutMemory memory_;
   bool crossing_ = false;        // the local search is of a crossing,
-  bool easing_ = false;          // and a broken bound only costs as much as in the last walk
+  bool easing_ = false;          // at the prices of the last walk
   std::uint64_t work_ = 0;       // trials since the last local search ended,
   std::uint64_t crossWork_ = 0;  // of all crossings,
   std::uint64_t otherWork_ = 0;  // and of all else
