@@ -25,6 +25,9 @@ class LayoutMemory {
   /// Is this layout kept, or one that lights alike?
   bool holds(const std::vector<std::uint32_t>& sites) const;
 
+  /// Forgets all.
+  void clear() { kept_.clear(); }
+
   /// Are there two to cross?
   bool hasParents() const { return kept_.size() > 1; }
 

@@ -19,6 +19,7 @@ constexpr double kCrossShare = 0.3;          // of other work, that much more wi
 constexpr std::uint32_t kWalksFirst = 2;     // before layouts are crossed
 constexpr std::uint32_t kCrossings = 2;      // tried before a local search begins at the best of them
 constexpr std::uint32_t kMostInVain = 15;    // crossings in a row, until there is another walk
+constexpr std::uint32_t kWalksInVain = 6;    // and at least half of all, until the search starts anew
 
 /// How a search goes about, as suits what its steps are.
 struct Pace {
@@ -86,7 +87,7 @@ Vns::Vns(PreparedScene& prepared, const Intentions& intentions, const LuminaireR
       prepared_(prepared),
       rules_(rules),
       areDifferent_(areUnlike(prepared, evaluator_.flux())),
-      length_(paceOf(here()).trialsPerLuminaire * freeSites_.movable().size()),
+      length_(firstLength()),
       walk_(areDifferent_, evaluator_.objective().hasConstraints(), evaluator_.objective().leadingAimShare()),
       memory_(prepared, evaluator_.flux()) {}
 
@@ -102,6 +103,10 @@ std::vector<std::uint32_t> Vns::inSlots(std::vector<std::uint32_t> ties) const {
   return ties;
 }
 
+std::uint64_t Vns::firstLength() {
+  return std::uint64_t{paceOf(here()).trialsPerLuminaire} * freeSites_.movable().size();
+}
+
 /// A layout to search from anew.
 std::vector<std::uint32_t> Vns::somewhereElse() {
   std::vector<std::uint32_t> sites = randomSites(prepared_, rules_, random_);
@@ -110,11 +115,12 @@ std::vector<std::uint32_t> Vns::somewhereElse() {
 }
 
 Layout Vns::incumbent() const {
+  const std::vector<std::uint32_t>& best = isRecordBetter() ? record_ : best_;
   if (!prepared_.isTied())
-    return ofTypesAsked(prepared_.scene(), rules_, {best_, evaluator_.flux(), bestEvaluation_.dimming});
-  Layout layout{{}, {}, bestEvaluation_.dimming};
+    return ofTypesAsked(prepared_.scene(), rules_, {best, evaluator_.flux(), evaluation().dimming});
+  Layout layout{{}, {}, evaluation().dimming};
   std::uint32_t tie = 0;
-  for (const std::uint32_t candidate : best_) {
+  for (const std::uint32_t candidate : best) {
     prepared_.appendSites(candidate, layout.sites);
     layout.ties.resize(layout.sites.size(), tie);
     tie += prepared_.weight(candidate) > 0;
@@ -196,7 +202,8 @@ void Vns::keepBest() {
   if (!isBetter(evaluator_.current(), bestEvaluation_)) return;
   best_ = evaluator_.sites();
   bestEvaluation_ = evaluator_.current();
-  foundAt_ = evaluations_;
+  if (!isRecordBetter()) foundAt_ = evaluations_;
+  walksAtBest_ = walks_;
   foundSince_ = true;
 }
 
@@ -217,6 +224,7 @@ void Vns::leave() {
 void Vns::shake() {
   remember();
   if (isCrossingWorthwhile()) return beginCrossing();
+  if (isStuck()) return startAnew();
   switch (++walks_ % 3) {
     case 1:
       return beginGatherings();
@@ -225,6 +233,27 @@ void Vns::shake() {
     default:
       return beginWalk(best_, paceOf(here()).reheat);
   }
+}
+
+/// Has nothing better been found for long? What is remembered then comes from a few layouts.
+bool Vns::isStuck() const {
+  return !freeSites_.counts() && walks_ - walksAtBest_ > std::max(kWalksInVain, walks_ / 2);
+}
+
+/// From anywhere, with nothing remembered but the record and what the walks have learned of prices.
+void Vns::startAnew() {
+  if (!isRecordBetter()) {
+    record_ = best_;
+    recordEvaluation_ = bestEvaluation_;
+  }
+  best_ = somewhereElse();
+  begin(best_);
+  bestEvaluation_ = evaluator_.current();
+  memory_.clear();
+  walks_ = walksAtBest_ = inVain_ = 0;
+  crossWork_ = otherWork_ = 0;
+  length_ = firstLength();
+  thorough_ = false;
 }
 
 /// Takes what a local search has found, and what it cost; a crossing that found a new incumbent was free.

@@ -1,8 +1,10 @@
 // Variable neighbourhood search (Hansen and Mladenovic; the engine of paper section 5): shake a layout,
 // improve it by local search on delta evaluations, and shake again, more strongly. What shakes is an annealed
 // walk, longer each time: from the best layout, from luminaires gathered around a site, from anywhere, by
-// turns. Between walks, good layouts that were found are crossed. A pure function of scene, intentions, start
-// and seed; it advances in slices of any size without changing its path.
+// turns. Between walks, good layouts that were found are crossed. When that has found nothing better for
+// long, all of it starts anew from a random layout: many searches one after another find what one long one
+// does not. A pure function of scene, intentions, start and seed; it advances in slices of any size without
+// changing its path.
 #pragma once
 
 #include <cstddef>
@@ -38,7 +40,7 @@ class Vns {
 
   /// The best layout so far, always a complete one, and what it is worth.
   Layout incumbent() const;
-  const Evaluation& evaluation() const { return bestEvaluation_; }
+  const Evaluation& evaluation() const { return isRecordBetter() ? recordEvaluation_ : bestEvaluation_; }
 
   std::uint64_t evaluations() const { return evaluations_; }
   /// The count of evaluations at which the incumbent was found.
@@ -47,6 +49,10 @@ class Vns {
  private:
   Vns(PreparedScene& prepared, const Intentions& intentions, const LuminaireRules& rules, std::uint64_t seed,
       const Layout* reference);
+  bool isRecordBetter() const { return isBetter(recordEvaluation_, bestEvaluation_); }
+  bool isStuck() const;
+  std::uint64_t firstLength();
+  void startAnew();
   void open(const std::vector<std::uint32_t>& sites);
   std::vector<std::uint32_t> inSlots(std::vector<std::uint32_t> ties) const;
   std::vector<std::uint32_t> somewhereElse();
@@ -81,8 +87,11 @@ class Vns {
   LuminaireRules rules_;  // in terms of the candidates
   bool areDifferent_;     // in flux or in the way that they may hang: to change places is a move
 
-  std::vector<std::uint32_t> best_;
+  std::vector<std::uint32_t> best_;  // since the search started anew
   Evaluation bestEvaluation_;
+  std::vector<std::uint32_t> record_;  // the best before that
+  Evaluation recordEvaluation_{kUnbounded, kUnbounded, 1};
+  std::uint32_t walksAtBest_ = 0;  // walks when the best was found
 
   // The running local search: which neighbourhood is looked through, and how far.
   std::size_t neighborhood_ = 0;  // row of neighborhoods()
