@@ -16,6 +16,7 @@ struct Walked {
   std::uint32_t steps = 0, takenFirst = 0, takenLast = 0, worse = 0, met = 0;  // first, last: of tenths
   std::uint64_t trials = 0;
   Evaluation last;
+  Prices prices;  // at the end
 };
 
 /// A whole walk from a random layout; `each` sees every layout on the way.
@@ -27,7 +28,8 @@ Walked walked(PreparedScene& prepared, const Intentions& asked, std::uint64_t le
   FreeSites freeSites(prepared, asked.luminaires, asked.luminaires.count);
   evaluator.load(sites);
   freeSites.load(sites);
-  AnnealedWalk walk(asked.luminaires.flux.size() > 1, !asked.constraints.empty());
+  AnnealedWalk walk(asked.luminaires.flux.size() > 1, !asked.constraints.empty(),
+                    evaluator.objective().leadingAimShare());
   walk.begin(length, 1, evaluator.current().goal);
   const Surroundings here{evaluator, freeSites, random};
   Walked result;
@@ -50,6 +52,7 @@ Walked walked(PreparedScene& prepared, const Intentions& asked, std::uint64_t le
     each(evaluator.sites());
   }
   result.last = evaluator.current();
+  result.prices = walk.prices();
   return result;
 }
 
@@ -80,6 +83,18 @@ TEST(AnnealedWalk, KeepsToTheEdgeOfBounds) {
   EXPECT_GT(walk.met, walk.steps / 4);
   EXPECT_LT(walk.met, walk.steps);
   EXPECT_LT(walk.last.violation, 0.01);
+}
+
+TEST(AnnealedWalk, EndsAtThePriceThatLeadsToAims) {
+  PreparedScene prepared(longCorridor());
+  const auto shareAfter = [&](double weight) {
+    Intentions asked;
+    asked.goals = {{Statistic::kSigma, Sense::kMinimize, 1, {}, {}, 0},
+                   {Statistic::kMean, Sense::kNear, weight, {2}, {}, 5}};
+    return walked(prepared, asked, 20000, [](const std::vector<std::uint32_t>&) {}).prices.aimShare;
+  };
+  EXPECT_DOUBLE_EQ(shareAfter(10), 0.3);  // three times as much as sigma
+  EXPECT_DOUBLE_EQ(shareAfter(2), 1);     // no more than that anyway
 }
 
 }  // namespace

@@ -175,6 +175,21 @@ TEST(Vns, StartsFromAGivenLayoutAndNeverReturnsWorse) {
   }
 }
 
+TEST(Vns, KeepsTheBestWhereItStartsAnew) {
+  PreparedScene prepared(longCorridor());
+  const Intentions intentions = ask(Statistic::kSigma, Sense::kMinimize, 4);
+  Vns vns(prepared, intentions, 5);
+  Evaluation before = vns.evaluation();
+  for (int slice = 0; slice < 300; ++slice) {
+    vns.advance(1000);
+    ASSERT_FALSE(isBetter(before, vns.evaluation())) << slice;
+    before = vns.evaluation();
+    Evaluator evaluator(prepared, intentions);
+    evaluator.load(vns.incumbent().sites);
+    ASSERT_NEAR(evaluator.current().goal, before.goal, 1e-9 * before.goal) << slice;
+  }
+}
+
 TEST(Vns, TrueMinimumHoldsOnThePatchesWithItsMargin) {
   Scene scene = longCorridor();
   scene.errorBound.assign(4, 0.02f);
@@ -206,7 +221,7 @@ TEST(Vns, GoldenLayoutOfAnAimIsTheSameOnEveryMachine) {
   intentions.goals.push_back(aim);
   Vns vns(prepared, intentions, 2025);
   vns.advance(40000);  // walks, crossings, and pairs of the best sites
-  EXPECT_EQ(vns.incumbent().sites, (std::vector<std::uint32_t>{249, 128, 50, 200, 165, 15, 87}));
+  EXPECT_EQ(vns.incumbent().sites, (std::vector<std::uint32_t>{128, 165, 87, 50, 200, 249, 15}));
 }
 
 TEST(Vns, StandsStillWhenNothingCanMove) {
