@@ -1,6 +1,6 @@
 // Form factors (core/transport/form_factors.h). Cosine-distributed rays, stratified over the patch and over
 // the hemisphere at once (paper section 2.4), say what a row loses and what it gets from the closest patches;
-// kernel_factors.h says the rest.
+// kernel_factors.h says the rest. Where the first of them lose nothing, the others go no further than that.
 #pragma once
 
 #include <cstdint>

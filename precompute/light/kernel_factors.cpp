@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
+#include <numbers>
 
 #include "precompute/light/brightest.h"
 #include "precompute/light/kernel.h"
@@ -23,6 +24,10 @@ constexpr double kNearEdges = 2, kFarEdges = 8;
 constexpr double kCloseEdges = 1.5, kCenterEdges = 3;
 // Rays to one cluster for each of the row's.
 constexpr std::uint32_t kMostOfCluster = 256;
+// So many rays to a cluster tell as much each as a single one.
+constexpr double kFewRays = 8;
+// The form factor that gets a ray at least: of smaller clusters in a row one stands for the others.
+constexpr double kLeastAsked = 1.25e-4;
 constexpr std::uint32_t kLastSlope = std::numeric_limits<std::uint16_t>::max();
 
 std::int8_t inSlopeUnits(double slope) {
@@ -58,6 +63,7 @@ KernelFactors::KernelFactors(const Room& room, const RayTracer& tracer, std::uin
     patchReach_.push_back(squareReach(patches.area[p], radius));
     points_.add({&p, 1});
     if (p >= patches.count) continue;
+    mostReach_ = std::max(mostReach_, patchReach_.back());
     const std::vector<PatchPoint> points = PatchSampler(room, p).quadrature(2);
     std::copy_n(points.begin(), kGauss, gauss_.emplace_back().begin());
   }
@@ -77,6 +83,11 @@ bool KernelFactors::areWithin(double edges, std::uint32_t p, std::uint32_t q) co
 
 bool KernelFactors::tooClose(std::uint32_t p, std::uint32_t q) const {
   return isWithin(kNearEdges, p, room_.patches.cluster[q]) && areWithin(kCloseEdges, p, q);
+}
+
+double KernelFactors::closeReach(std::uint32_t p) const {
+  // From centre to centre, and from each to the corners.
+  return (kCloseEdges + 1 / std::numbers::sqrt2) * (patchReach_[p] + mostReach_);
 }
 
 /// What is known of all rays from a row's cluster to another. note: a shaft of the row's own costs more than
@@ -114,10 +125,25 @@ void KernelFactors::addCandidates(std::uint32_t p, const std::vector<PatchPoint>
   }
 }
 
-/// In proportion to the light that the cluster may send.
-std::uint32_t KernelFactors::raysTo(const Group& group, std::uint32_t effort) const {
-  const double wanted = std::min(brightness_[group.cluster] * group.kernel / ofRay_, double{kMostOfCluster});
-  return std::max(1u, static_cast<std::uint32_t>(std::lround(timesOf(effort) * wanted)));
+/// In proportion to the light that the cluster may send; of many fewer, for they fill cluster and patch so
+/// evenly that each tells more.
+double KernelFactors::raysTo(const Group& group, std::uint32_t effort) const {
+  const double wanted = brightness_[group.cluster] * group.kernel / ofRay_;
+  const double rays = timesOf(effort) * std::min(wanted, double{kMostOfCluster});
+  if (rays <= kFewRays) return rays;
+  const double times = rays / kFewRays;
+  return kFewRays * std::sqrt(times * std::sqrt(times));
+}
+
+/// Gives the cluster its rays, or none where `due`, how much of a ray the clusters so far have left over,
+/// does not come to one.
+void KernelFactors::ask(Group& group, std::uint32_t effort, double& due) const {
+  const double wanted = raysTo(group, effort);
+  due += std::min(1.0, wanted * ofRay_ / kLeastAsked);
+  group.isAlike = due < 1;
+  if (group.isAlike) return;
+  due -= 1;
+  group.rays = std::max(1u, static_cast<std::uint32_t>(std::lround(wanted)));
 }
 
 /// All that the row may see.
@@ -129,6 +155,8 @@ KernelFactors::Faced KernelFactors::facedBy(std::uint32_t p, std::uint32_t effor
   Faced faced;
   faced.candidates.reserve(firstPatch_);
   faced.groups.reserve(room_.patches.clusterCount);
+  // Equal steps from a random first one here, too.
+  double due = 0x1p-64 * static_cast<double>(mixBits(seed_ ^ ~(std::uint64_t{p} << 32)));
   for (std::uint32_t c = 0; c < room_.patches.clusterCount; ++c) {
     Group group{c, faced.candidates.size(), 0};
     addCandidates(p, points, ofParts, c, faced.candidates);
@@ -140,7 +168,7 @@ KernelFactors::Faced KernelFactors::facedBy(std::uint32_t p, std::uint32_t effor
       continue;
     }
     for (std::size_t i = group.first; i < group.last; ++i) group.kernel += faced.candidates[i].kernel;
-    if (known == Between::kUnknown) group.rays = raysTo(group, effort);
+    if (known == Between::kUnknown) ask(group, effort, due);
     faced.groups.push_back(group);
   }
   return faced;
@@ -250,8 +278,28 @@ void KernelFactors::castShadows(std::uint32_t p, Faced& faced) const {
   }
 }
 
+/// What arrives of a group, over what would if nothing were between.
+double KernelFactors::openOf(const Faced& faced, const Group& group) {
+  double arrives = 0;
+  for (std::size_t i = group.first; i < group.last; ++i) arrives += factorOf(faced.candidates[i], group);
+  return arrives / group.kernel;
+}
+
+/// Lets of clusters that got no ray as much arrive as of the next one that did, or of the last.
+void KernelFactors::lendOpenness(Faced& faced) {
+  const auto isAsked = [](const Group& group) { return group.rays > 0; };
+  auto& groups = faced.groups;
+  const auto last = std::find_if(groups.rbegin(), groups.rend(), isAsked);
+  if (last == groups.rend()) return;
+  double open = openOf(faced, *last);
+  for (auto group = groups.rbegin(); group != groups.rend(); ++group) {
+    if (isAsked(*group)) open = openOf(faced, *group);
+    if (group->isAlike) group->open = open;
+  }
+}
+
 double KernelFactors::factorOf(const Candidate& candidate, const Group& group) {
-  if (!group.isHidden) return candidate.kernel;
+  if (!group.isHidden) return candidate.kernel * group.open;
   if (candidate.visible == 0) return 0;
   // note: not kernel x visible share, for what is hidden may be the part that would give most.
   const double factor = candidate.arrived / candidate.asked;
@@ -264,7 +312,7 @@ float KernelFactors::openOf(const Faced& faced) const {
   double arrives = 0, all = 0;
   for (const Group& group : faced.groups) {
     if (faced.candidates[group.first].item >= firstPatch_) continue;
-    for (std::size_t i = group.first; i < group.last; ++i) arrives += factorOf(faced.candidates[i], group);
+    arrives += openOf(faced, group) * group.kernel;
     all += group.kernel;
   }
   return all > 0 ? static_cast<float>(arrives / all) : 1.0f;
@@ -300,6 +348,7 @@ void KernelFactors::row(std::uint32_t p, std::uint32_t effort, const PatchSample
   row.near.clear();
   Faced faced = facedBy(p, effort, sampler);
   castShadows(p, faced);
+  lendOpenness(faced);
   for (const Group& group : faced.groups) write(faced, group, p, row);
   row.open = openOf(faced);
 }

@@ -1,7 +1,8 @@
 // Form factors to all but the closest patches, by the kernel cos cos / (pi r^2) and shadow rays: patch by
 // patch nearby, further away by quarters of clusters. A cosine ray rarely meets a small bright spot, and one
 // hit too many is a bright patch; where nothing stands between, this estimate has no such noise. Clusters
-// that nothing stands between, or a whole wall, need no rays; others get as many as they may give light.
+// that nothing stands between, or a whole wall, need no rays; others get as many as they may give light, and
+// where that is less than one, as much of it arrives as of others beside it.
 #pragma once
 
 #include <algorithm>
@@ -40,6 +41,8 @@ class KernelFactors {
 
   /// Whether patch q is too close to row p for this estimate: then only rays tell.
   bool tooClose(std::uint32_t p, std::uint32_t q) const;
+  /// m: no point of a patch that is too close is further than this from any of the row's.
+  double closeReach(std::uint32_t p) const;
 
   const ClusterParts& clusters() const { return clusters_; }
   /// FormFactors::slopeShare, n x 2.
@@ -60,8 +63,10 @@ class KernelFactors {
     std::uint32_t cluster;
     std::size_t first, last;  // candidates
     double kernel = 0;        // of them together
-    std::uint32_t rays = 0;   // to them; 0 where nothing is between
-    bool isHidden = false;    // in part
+    std::uint32_t rays = 0;   // to them; 0 where nothing is between, too
+    bool isHidden = false;    // in part, as rays tell
+    bool isAlike = false;     // no ray tells: as much arrives as of others
+    double open = 1;          // share 0..1 of the kernel that arrives then
   };
   class ShadowRays;
   struct Faced {
@@ -73,9 +78,12 @@ class KernelFactors {
   void addCandidates(std::uint32_t p, const std::vector<PatchPoint>& points,
                      const std::vector<float>& ofParts, std::uint32_t c,
                      std::vector<Candidate>& candidates) const;
-  std::uint32_t raysTo(const Group& group, std::uint32_t effort) const;
+  double raysTo(const Group& group, std::uint32_t effort) const;
+  void ask(Group& group, std::uint32_t effort, double& due) const;
   Faced facedBy(std::uint32_t p, std::uint32_t effort, const PatchSampler& sampler) const;
   void castShadows(std::uint32_t p, Faced& faced) const;
+  static double openOf(const Faced& faced, const Group& group);
+  static void lendOpenness(Faced& faced);
   static double factorOf(const Candidate& candidate, const Group& group);
   void write(const Faced& faced, const Group& group, std::uint32_t p, Row& row) const;
   float openOf(const Faced& faced) const;
@@ -101,6 +109,7 @@ class KernelFactors {
   std::uint32_t firstPatch_;                           // items: parts, from here on patches
   std::vector<double> edge_;                           // rows, m: of a square as large
   std::vector<double> patchReach_;                     // rows, m: squareReach of patches
+  double mostReach_ = 0;                               // m: of patches
   std::vector<std::array<PatchPoint, kGauss>> gauss_;  // n, points for the kernel
 };
 

@@ -11,6 +11,7 @@
 #include "core/transport/polygon_form_factor.h"
 #include "precompute/light/cast_form_factors.h"
 #include "precompute/light/forward_light.h"
+#include "precompute/light/kernel_factors.h"
 #include "precompute/validation/rectangle_room.h"
 #include "tests/precompute/furnished_box.h"
 #include "tests/precompute/transport_of.h"
@@ -248,6 +249,53 @@ TEST(FormFactors, WhatComesThroughANarrowGapIsNotMissed) {
   double mean = 0;
   for (std::uint64_t seed = 1; seed <= 8; ++seed) mean += ofOthers({1024, false, seed, 0, {}, true}) / 8;
   EXPECT_NEAR(mean / ofOthers({32768, true, 1, 0, {}}), 1, 0.05);
+}
+
+TEST(FormFactors, ClustersFarAwayOfWhichOneStandsForOthersAreSeenAsOftenAsTheyAre) {
+  // From one end of a corridor the other one, behind a pillar: clusters that want half a ray each, at most.
+  const Room room =
+      testing::furnishedBox({2, 2, 12}, blockSurfaces("pillar", {0.5, 0, 6}, {0.6, 1.5, 0.3}, 0.6, 0.1), 0.1);
+  const auto tracer = RayTracer::build(room);
+  ASSERT_TRUE(tracer);
+  const Patches& patches = room.patches;
+  std::vector<std::uint32_t> near;
+  std::vector<bool> isFar(patches.clusterCount);
+  for (std::uint32_t p = 0; p < patches.count; ++p) {
+    const double z = patches.center[p].z;
+    if (z < 1e-6 && p % 9 == 0) near.push_back(p);
+    if (z > 9) isFar[patches.cluster[p]] = true;
+  }
+  ASSERT_GE(near.size(), 30u);
+  const auto ofFar = [&](const CastOptions& options) {
+    const FormFactorCaster caster(room, *tracer, options);
+    double sum = 0;
+    for (const std::uint32_t p : near) {
+      const FormFactorRow row = caster.row(p);
+      for (std::uint32_t c = 0; c < patches.clusterCount; ++c) sum += isFar[c] ? row.u[c] : 0;
+    }
+    return sum;
+  };
+  double mean = 0;
+  for (std::uint64_t seed = 1; seed <= 8; ++seed) mean += ofFar({1024, false, seed, 0, {}, true}) / 8;
+  EXPECT_NEAR(mean / ofFar({32768, true, 1, 0, {}}), 1, 0.02);
+}
+
+TEST(FormFactors, NoRayToAPatchThatIsTooCloseForKernelsEndsBeforeIt) {
+  const Room room = boxWithBlock();
+  const auto tracer = RayTracer::build(room);
+  ASSERT_TRUE(tracer);
+  const KernelFactors kernels(room, *tracer, 1, 5e-4);
+  for (std::uint32_t p = 0; p < room.patches.rows(); ++p) {
+    double furthest = 0;
+    for (std::uint32_t q = 0; q < room.patches.count; ++q) {
+      if (!kernels.tooClose(p, q)) continue;
+      for (const Fragment& to : room.fragmentsOf(q))
+        for (const Fragment& from : room.fragmentsOf(p))
+          for (const Vec3& end : to.corner)
+            for (const Vec3& start : from.corner) furthest = std::max(furthest, length(end - start));
+    }
+    ASSERT_LE(furthest, kernels.closeReach(p)) << "patch " << p;
+  }
 }
 
 TEST(Transport, MeasuringPlaneReceivesButDoesNotReflect) {
