@@ -115,7 +115,7 @@ std::vector<std::uint32_t> Vns::somewhereElse() {
 }
 
 Layout Vns::incumbent() const {
-  const std::vector<std::uint32_t>& best = isRecordBetter() ? record_ : best_;
+  const std::vector<std::uint32_t>& best = isRecordBroken() ? best_ : record_;
   if (!prepared_.isTied())
     return ofTypesAsked(prepared_.scene(), rules_, {best, evaluator_.flux(), evaluation().dimming});
   Layout layout{{}, {}, evaluation().dimming};
@@ -202,7 +202,7 @@ void Vns::keepBest() {
   if (!isBetter(evaluator_.current(), bestEvaluation_)) return;
   best_ = evaluator_.sites();
   bestEvaluation_ = evaluator_.current();
-  if (!isRecordBetter()) foundAt_ = evaluations_;
+  if (isRecordBroken()) foundAt_ = evaluations_;
   walksAtBest_ = walks_;
   foundSince_ = true;
 }
@@ -242,7 +242,7 @@ bool Vns::isStuck() const {
 
 /// From anywhere, with nothing remembered but the record and what the walks have learned of prices.
 void Vns::startAnew() {
-  if (!isRecordBetter()) {
+  if (isRecordBroken()) {
     record_ = best_;
     recordEvaluation_ = bestEvaluation_;
   }

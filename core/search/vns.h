@@ -40,7 +40,7 @@ class Vns {
 
   /// The best layout so far, always a complete one, and what it is worth.
   Layout incumbent() const;
-  const Evaluation& evaluation() const { return isRecordBetter() ? recordEvaluation_ : bestEvaluation_; }
+  const Evaluation& evaluation() const { return isRecordBroken() ? bestEvaluation_ : recordEvaluation_; }
 
   std::uint64_t evaluations() const { return evaluations_; }
   /// The count of evaluations at which the incumbent was found.
@@ -49,7 +49,7 @@ class Vns {
  private:
   Vns(PreparedScene& prepared, const Intentions& intentions, const LuminaireRules& rules, std::uint64_t seed,
       const Layout* reference);
-  bool isRecordBetter() const { return isBetter(recordEvaluation_, bestEvaluation_); }
+  bool isRecordBroken() const { return isBetter(bestEvaluation_, recordEvaluation_); }
   bool isStuck() const;
   std::uint64_t firstLength();
   void startAnew();
