@@ -63,7 +63,7 @@ void AnnealedWalk::open(const Surroundings& at, Scan& scan) {
   const std::uint32_t from = at.evaluator.sites()[scan.luminaire];
   if (scan.isSurvey) {
     freeSites.around(from, kWalkReach, kSurveyed, at.random, scan.candidates);
-    scan.found = {{}, 0, {kUnbounded, kUnbounded, 1}};
+    scan.found = {{}, 0, kNothingFound};
     scan.size = kTrialsPerSurvey;
     return;
   }

@@ -39,6 +39,9 @@ struct Evaluation {
   double missed = 0;  // what missed aims add to the goal
 };
 
+/// Of no layout: any is better.
+inline constexpr Evaluation kNothingFound{kUnbounded, kUnbounded, 1};
+
 /// Better by more than the rounding of the sums.
 inline bool isBetter(const Evaluation& a, const Evaluation& b) {
   constexpr double kSame = 1e-10;

@@ -9,7 +9,7 @@ FieldScan::FieldScan(PreparedScene& prepared, const Intentions& intentions, cons
     : evaluator_(prepared, intentions, reference),
       all_(prepared.grid(), intentions.luminaires.count, mostOf(intentions.luminaires),
            intentions.luminaires.arrangement.axis),
-      bestEvaluation_{kUnbounded, kUnbounded, 1} {
+      bestEvaluation_(kNothingFound) {
   const FieldRules allowed(prepared.scene(), intentions.luminaires);
   all_.visit([&](const Field& field) {
     if (allowed.allow(all_, field, sites_)) fields_.push_back(field);

@@ -90,7 +90,7 @@ class Vns {
   std::vector<std::uint32_t> best_;  // since the search started anew
   Evaluation bestEvaluation_;
   std::vector<std::uint32_t> record_;  // the best before that
-  Evaluation recordEvaluation_{kUnbounded, kUnbounded, 1};
+  Evaluation recordEvaluation_ = kNothingFound;
   std::uint32_t walksAtBest_ = 0;  // walks when the best was found
 
   // The running local search: which neighbourhood is looked through, and how far.

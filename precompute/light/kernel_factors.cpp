@@ -278,11 +278,11 @@ void KernelFactors::castShadows(std::uint32_t p, Faced& faced) const {
   }
 }
 
-/// What arrives of a group, over what would if nothing were between.
-double KernelFactors::openOf(const Faced& faced, const Group& group) {
-  double arrives = 0;
-  for (std::size_t i = group.first; i < group.last; ++i) arrives += factorOf(faced.candidates[i], group);
-  return arrives / group.kernel;
+/// What arrives of a group.
+double KernelFactors::arrivingOf(const Faced& faced, const Group& group) {
+  double sum = 0;
+  for (std::size_t i = group.first; i < group.last; ++i) sum += factorOf(faced.candidates[i], group);
+  return sum;
 }
 
 /// Lets of clusters that got no ray as much arrive as of the next one that did, or of the last.
@@ -291,9 +291,10 @@ void KernelFactors::lendOpenness(Faced& faced) {
   auto& groups = faced.groups;
   const auto last = std::find_if(groups.rbegin(), groups.rend(), isAsked);
   if (last == groups.rend()) return;
-  double open = openOf(faced, *last);
+  const auto openOf = [&](const Group& group) { return arrivingOf(faced, group) / group.kernel; };
+  double open = openOf(*last);
   for (auto group = groups.rbegin(); group != groups.rend(); ++group) {
-    if (isAsked(*group)) open = openOf(faced, *group);
+    if (isAsked(*group)) open = openOf(*group);
     if (group->isAlike) group->open = open;
   }
 }
@@ -312,7 +313,7 @@ float KernelFactors::openOf(const Faced& faced) const {
   double arrives = 0, all = 0;
   for (const Group& group : faced.groups) {
     if (faced.candidates[group.first].item >= firstPatch_) continue;
-    arrives += openOf(faced, group) * group.kernel;
+    arrives += arrivingOf(faced, group);
     all += group.kernel;
   }
   return all > 0 ? static_cast<float>(arrives / all) : 1.0f;

@@ -66,7 +66,7 @@ class KernelFactors {
     std::uint32_t rays = 0;   // to them; 0 where nothing is between, too
     bool isHidden = false;    // in part, as rays tell
     bool isAlike = false;     // no ray tells: as much arrives as of others
-    double open = 1;          // share 0..1 of the kernel that arrives then
+    double open = 1;          // what arrives then, over the kernel
   };
   class ShadowRays;
   struct Faced {
@@ -82,7 +82,7 @@ class KernelFactors {
   void ask(Group& group, std::uint32_t effort, double& due) const;
   Faced facedBy(std::uint32_t p, std::uint32_t effort, const PatchSampler& sampler) const;
   void castShadows(std::uint32_t p, Faced& faced) const;
-  static double openOf(const Faced& faced, const Group& group);
+  static double arrivingOf(const Faced& faced, const Group& group);
   static void lendOpenness(Faced& faced);
   static double factorOf(const Candidate& candidate, const Group& group);
   void write(const Faced& faced, const Group& group, std::uint32_t p, Row& row) const;

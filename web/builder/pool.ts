@@ -93,19 +93,19 @@ export class BuilderPool {
 
   /** Rejects with one readable line. */
   async survey(model: Model, options: BuildOptions): Promise<Survey> {
-    const member = new Member(this.#startWorker(), await this.#compiled());
-    try {
-      return (await member.ask({ type: 'survey', model, options }, 'surveyed')).survey;
-    } finally {
-      member.end();
-    }
+    return (await this.#askOne({ type: 'survey', model, options }, 'surveyed')).survey;
   }
 
   /** Reads a room and computes nothing. Rejects with one readable line, or TooLarge. */
   async open(model: Model, options: BuildOptions): Promise<RoomCounts> {
+    return (await this.#askOne({ type: 'open', model, options }, 'opened')).room;
+  }
+
+  /** One question to a worker that lives no longer. */
+  async #askOne<Type extends FromBuilder['type']>(question: ToBuilder, type: Type): Promise<Answer<Type>> {
     const member = new Member(this.#startWorker(), await this.#compiled());
     try {
-      return (await member.ask({ type: 'open', model, options }, 'opened')).room;
+      return await member.ask(question, type);
     } finally {
       member.end();
     }

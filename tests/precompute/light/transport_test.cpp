@@ -218,9 +218,26 @@ TEST(FormFactors, FloorInTheOpenIsSeenFromAfarAndFloorUnderATableIsNot) {
   for (const double sum : sums) EXPECT_NEAR(sum, 1, 1e-9);
 }
 
+/// What some rows get from some clusters, with as many rays as patches of a large surface have, on average of
+/// eight seeds, over what very many rays tell.
+double overRaysAlone(const Room& room, const RayTracer& tracer, const std::vector<std::uint32_t>& rows,
+                     const std::vector<bool>& isAsked) {
+  const auto sum = [&](const CastOptions& options) {
+    const FormFactorCaster caster(room, tracer, options);
+    double all = 0;
+    for (const std::uint32_t p : rows) {
+      const FormFactorRow row = caster.row(p);
+      for (std::uint32_t c = 0; c < room.patches.clusterCount; ++c) all += isAsked[c] ? row.u[c] : 0;
+    }
+    return all;
+  };
+  double mean = 0;
+  for (std::uint64_t seed = 1; seed <= 8; ++seed) mean += sum({1024, false, seed, 0, {}, true}) / 8;
+  return mean / sum({32768, true, 1, 0, {}});
+}
+
 TEST(FormFactors, WhatComesThroughANarrowGapIsNotMissed) {
-  // Two boards before a wall, 3 cm apart: what they see between them of the rest of the room, with as many
-  // rays as patches of a large surface have.
+  // Two boards before a wall, 3 cm apart: what they see between them of the rest of the room.
   auto boards = blockSurfaces("lower", {2, 0.9, 0}, {1, 0.05, 0.3}, 0.6, 0.2);
   const auto upper = blockSurfaces("upper", {2, 0.98, 0}, {1, 0.05, 0.3}, 0.6, 0.2);
   boards.insert(boards.end(), upper.begin(), upper.end());
@@ -229,26 +246,15 @@ TEST(FormFactors, WhatComesThroughANarrowGapIsNotMissed) {
   ASSERT_TRUE(tracer);
   const Patches& patches = room.patches;
   std::vector<std::uint32_t> between;
-  std::vector<bool> isOfBoards(patches.clusterCount);
+  std::vector<bool> isOther(patches.clusterCount, true);
   for (std::uint32_t p = 0; p < patches.count; ++p) {
     const Vec3& c = patches.center[p];
     const bool isBoard = c.x > 1.9 && c.x < 3.1 && c.y > 0.89 && c.y < 1.04 && c.z < 0.31 && c.z > 0;
-    if (isBoard) isOfBoards[patches.cluster[p]] = true;
+    if (isBoard) isOther[patches.cluster[p]] = false;
     if (isBoard && std::abs(patches.normal[p].y) > 0.9 && std::abs(c.y - 0.965) < 0.016) between.push_back(p);
   }
   ASSERT_GE(between.size(), 10u);
-  const auto ofOthers = [&](const CastOptions& options) {
-    const FormFactorCaster caster(room, *tracer, options);
-    double sum = 0;
-    for (const std::uint32_t p : between) {
-      const FormFactorRow row = caster.row(p);
-      for (std::uint32_t c = 0; c < patches.clusterCount; ++c) sum += isOfBoards[c] ? 0 : row.u[c];
-    }
-    return sum;
-  };
-  double mean = 0;
-  for (std::uint64_t seed = 1; seed <= 8; ++seed) mean += ofOthers({1024, false, seed, 0, {}, true}) / 8;
-  EXPECT_NEAR(mean / ofOthers({32768, true, 1, 0, {}}), 1, 0.05);
+  EXPECT_NEAR(overRaysAlone(room, *tracer, between, isOther), 1, 0.05);
 }
 
 TEST(FormFactors, ClustersFarAwayOfWhichOneStandsForOthersAreSeenAsOftenAsTheyAre) {
@@ -266,18 +272,7 @@ TEST(FormFactors, ClustersFarAwayOfWhichOneStandsForOthersAreSeenAsOftenAsTheyAr
     if (z > 9) isFar[patches.cluster[p]] = true;
   }
   ASSERT_GE(near.size(), 30u);
-  const auto ofFar = [&](const CastOptions& options) {
-    const FormFactorCaster caster(room, *tracer, options);
-    double sum = 0;
-    for (const std::uint32_t p : near) {
-      const FormFactorRow row = caster.row(p);
-      for (std::uint32_t c = 0; c < patches.clusterCount; ++c) sum += isFar[c] ? row.u[c] : 0;
-    }
-    return sum;
-  };
-  double mean = 0;
-  for (std::uint64_t seed = 1; seed <= 8; ++seed) mean += ofFar({1024, false, seed, 0, {}, true}) / 8;
-  EXPECT_NEAR(mean / ofFar({32768, true, 1, 0, {}}), 1, 0.02);
+  EXPECT_NEAR(overRaysAlone(room, *tracer, near, isFar), 1, 0.02);
 }
 
 TEST(FormFactors, NoRayToAPatchThatIsTooCloseForKernelsEndsBeforeIt) {

@@ -249,9 +249,7 @@ export class Opening {
     return isShown && [loading, preview, making].every((each) => each.peek() === null);
   }
 
-  /**
-   * Waits for the list of rooms; where there is none to be had, one sentence offers to try again.
-   */
+  /** Waits for the list of rooms; where there is none to be had, one sentence offers to try again. */
   async #findRooms(again: () => void): Promise<Found> {
     if (this.#rooms.isThere) return 'found';
     let found: Found = 'missing';
