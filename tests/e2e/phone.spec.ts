@@ -246,12 +246,12 @@ test('what a phone shows is all there where a tablet opens its link', async ({ p
   await expect.poll(beyond).toBe(0); // tags stand in the corner until the first picture
 });
 
-/** A box of 4 x 3 x 5 m, of which there is to be remarked that nothing has a material. */
-function plainBox(): string {
+/** A box of 4 x 3 x 5 m, open at two ends, of which there is to be remarked that nothing has a material. */
+function openBox(): string {
   const corners = [0, 1, 2, 3, 4, 5, 6, 7].map(
     (i) => `v ${(i & 1) * 4} ${((i >> 1) & 1) * 3} ${(i >> 2) * 5}`,
   );
-  const faces = ['1 2 4 3', '5 7 8 6', '1 5 6 2', '3 4 8 7', '1 3 7 5', '2 6 8 4'].map((face) => `f ${face}`);
+  const faces = ['1 5 6 2', '3 4 8 7', '1 3 7 5', '2 6 8 4'].map((face) => `f ${face}`);
   return ['o room', ...corners, ...faces].join('\n');
 }
 
@@ -260,7 +260,7 @@ test('what is told of a dropped model leaves its picture in sight, and is there 
 }) => {
   test.setTimeout(300_000); // beside light that is computed
   await openRoom(page, 'Box');
-  await drop(page, { 'room.obj': plainBox() });
+  await drop(page, { 'room.obj': openBox() });
   const note = page.getByRole('region', { name: 'Light is being computed' });
   const remark = page.locator('.toast-warning').first();
   const heightOf = async (told: typeof note) => (await told.boundingBox())?.height ?? 0;
@@ -272,4 +272,9 @@ test('what is told of a dropped model leaves its picture in sight, and is there 
   expect(await heightOf(remark)).toBeGreaterThan(before);
   await note.getByRole('button', { name: 'Read on' }).tap();
   await expect(note.getByText(/ %/)).toBeVisible();
+  const lost = page.getByRole('status', { name: 'About this light' });
+  await expect(lost).toBeVisible({ timeout: 200_000 });
+  expect(await heightOf(lost)).toBeLessThan(72);
+  await lost.getByRole('button', { name: 'Read on' }).tap();
+  await expect(lost.getByText(/leaves the model/)).toBeVisible();
 });

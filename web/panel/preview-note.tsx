@@ -75,7 +75,7 @@ function Working({ state }: { readonly state: LightingState }) {
   const [isOpen, setIsOpen] = useState(false);
   return (
     <section
-      class={`preview-note working ${store.preview.value ? '' : 'small'} ${isOpen ? 'open' : ''}`}
+      class={`preview-note working brief ${store.preview.value ? '' : 'small'} ${isOpen ? 'open' : ''}`}
       aria-label={words.value.opening.preview.working}
     >
       <header>

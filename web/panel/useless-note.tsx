@@ -4,17 +4,24 @@ import { useState } from 'preact/hooks';
 import { useApp } from '../app/app.ts';
 import { lightNote } from '../app/words/provenance.ts';
 import { words } from '../language/language.ts';
+import { ReadOn } from './controls/read-on.tsx';
 
 export function UselessNote() {
   const { store } = useApp();
   const [closed, setClosed] = useState('');
+  const [isOpen, setIsOpen] = useState(false);
   const scene = store.scene.value;
   const note = scene && lightNote(scene);
   if (!note || closed === scene.identity || store.lighting.value) return null;
   return (
-    <section class="preview-note small" role="status" aria-label={words.value.bars.useless.name}>
+    <section
+      class={`preview-note small brief ${isOpen ? 'open' : ''}`}
+      role="status"
+      aria-label={words.value.bars.useless.name}
+    >
       <header>
         <h2>{note.title}</h2>
+        <ReadOn isOpen={isOpen} toggle={() => setIsOpen(!isOpen)} />
         <button
           class="icon-button small"
           aria-label={words.value.bars.useless.close}
