@@ -4,11 +4,10 @@
 #include <array>
 #include <cmath>
 #include <cstring>
-#include <numbers>
 
-#include "core/transport/polygon_form_factor.h"
 #include "precompute/base/parallel.h"
 #include "precompute/light/emission.h"
+#include "precompute/light/open_light.h"
 #include "precompute/light/photometric_shadow.h"
 #include "precompute/rays/effort.h"
 #include "precompute/rays/float8.h"
@@ -19,30 +18,14 @@ namespace fiatlux {
 
 namespace {
 
-// Nearer to a part of the source than this many of its edges, its own form factor is needed; beyond, its
-// centre will do.
-constexpr double kExactEdges = 3;
-
 // From so many edges of a whole patch on, Gauss's 2 x 2 points of it stand for 4 x 4 where no shadow falls:
 // off by 5e-5 of the light at worst, by 5e-6 RMS, and the fourth power of the distance less further away.
 constexpr double kFewPointsEdges = 8;
 
-// From so many edges of a source on, Gauss's 2 x 2 points of it stand for its own form factor: off by 1e-4 at
-// most.
-constexpr double kGaussEdges = 4;
-
 // How far before its site a tilted luminaire hangs, about; and what light must rise above a patch's plane, m.
 constexpr double kTilted = 0.05, kInPlane = 1e-3;
 
-/// Whether a point gets any light of the source if nothing is between.
-bool faces(const Emission& source, const Vec3& position, const Vec3& normal) {
-  if (source.isBehind(position)) return false;
-  if (source.isPoint()) return dot(source.position() - position, normal) > 0;
-  return std::any_of(source.corners().begin(), source.corners().end(),
-                     [&](const Vec3& corner) { return dot(corner - position, normal) > 0; });
-}
-
-/// Whether any of the points is one; which are.
+/// Whether any of the points gets light of the source if nothing is between; which do.
 bool findFacing(const Emission& source, const std::vector<PatchPoint>& points, std::vector<char>& facing) {
   facing.clear();
   bool any = false;
@@ -62,50 +45,6 @@ BetweenPlaces::Places placesOf(const RayTracer& tracer, const std::vector<Emissi
   return places;
 }
 
-/// lx without any shadow.
-double unshadowed(const Emission& source, const Vec3& position, const Vec3& normal) {
-  if (source.isBehind(position)) return 0;
-  if (!source.isPoint()) {
-    // Lambertian exitance times the share of the receiver's hemisphere that the source fills.
-    return source.exitance() * polygonFormFactor(position, normal, source.corners().data(), 4);
-  }
-  const Vec3 d = position - source.position();
-  const double squared = dot(d, d), incidence = -dot(d, normal);
-  if (incidence <= 0 || squared <= 0) return 0;
-  return source.intensity(d) * (incidence / (squared * std::sqrt(squared)));
-}
-
-/// The same; of an area that is far away and all of it before the receiver, by Gauss's 2 x 2 points of it.
-double unshadowedFar(const Emission& source, const Vec3& position, const Vec3& normal) {
-  const double largest = std::max(source.width(), source.height());
-  const Vec3 away = source.position() - position;
-  if (source.isPoint() || source.isBehind(position) ||
-      dot(away, away) < kGaussEdges * kGaussEdges * largest * largest || dot(away, normal) < largest)
-    return unshadowed(source, position, normal);
-  double sum = 0;
-  for (const double u : {kGaussNode, 1 - kGaussNode})
-    for (const double v : {kGaussNode, 1 - kGaussNode}) {
-      const Vec3 d = position - source.at(u, v);
-      const double squared = dot(d, d);
-      sum -= dot(d, normal) * dot(d, source.normal()) / (squared * squared);
-    }
-  return source.exitance() * source.width() * source.height() / (4 * std::numbers::pi) * sum;
-}
-
-/// Relative light of one part of the source, u and v in parts of 1: exact nearby, by its centre further away.
-double partWeight(const Emission& source, const Vec3& position, const Vec3& normal, double u, double v,
-                  double edge) {
-  const Vec3 d = position - source.at(u + 0.5 * edge, v + 0.5 * edge);
-  const double squared = dot(d, d);
-  const double largest = edge * std::max(source.width(), source.height());
-  const double incidence = -dot(d, normal);
-  if (squared < kExactEdges * kExactEdges * largest * largest || incidence < largest) {
-    return polygonFormFactor(position, normal, source.part(u, u + edge, v, v + edge).data(), 4);
-  }
-  const double area = edge * edge * source.width() * source.height();
-  return area * incidence * dot(d, source.normal()) / (std::numbers::pi * squared * squared);
-}
-
 /// Well-spread places on sources: for each shadow ray of a patch one, over and over from so many on.
 constexpr std::uint32_t kPlaces = 4096;
 const RaySequence& placesOnSources() {
@@ -119,16 +58,29 @@ struct Probe {
   std::uint32_t split;  // light is told by split x split parts of the source
 };
 
+/// What shadow rays tell, points x rays; one for all shadows of a patch.
+struct ShadowMemory {
+  std::vector<float> visible;  // 0, or 1, also where none was cast
+  std::vector<float> u, v;     // middle of the part of the source that the ray goes to
+
+  void begin(std::size_t rays) {
+    visible.assign(rays + 8, 1);  // eight can be read from any
+    if (u.size() < rays + 8) u.resize(rays + 8), v.resize(rays + 8);
+  }
+};
+
 /// Shadow rays from some points of one patch to all over the source.
 class Shadow {
  public:
   /// Rays end on the source, or `lower` m before it. `blockers`: all that may stand there, where that is
   /// known.
-  Shadow(const RayTracer& tracer, const Emission& source, Blockers* blockers, Probe probe, double lower = 0)
+  Shadow(const RayTracer& tracer, const Emission& source, Blockers* blockers, Probe probe,
+         ShadowMemory& memory, double lower = 0)
       : tracer_(tracer),
         source_(source),
         blockers_(blockers),
         probe_(source.isPoint() ? Probe{1, 1} : probe),
+        memory_(memory),
         corner_(inFloats(source.startAt(0, 0) + lower * source.normal() - tracer.center())),
         along_(inFloats(source.startAt(1, 0) - source.startAt(0, 0))),
         across_(inFloats(source.startAt(0, 1) - source.startAt(0, 0))) {}
@@ -138,8 +90,7 @@ class Shadow {
   void begin(const std::vector<PatchPoint>& points, const std::vector<char>& facing, std::uint32_t rays,
              std::uint64_t seed) {
     seed_ = seed;
-    visible_.assign(points.size() * probe_.rays, 1);
-    part_.resize(visible_.size());
+    memory_.begin(points.size() * probe_.rays);
     begunRays_ = std::min(rays, probe_.rays);
     for (begunPoints_ = 0; begunPoints_ < points.size(); ++begunPoints_) {
       if (cast_ > 0 && verdict() == 0) break;
@@ -167,17 +118,17 @@ class Shadow {
   /// Share of the light of the whole source that reaches point i.
   double visibleShare(const PatchPoint& point, std::size_t i) const {
     const std::size_t first = i * probe_.rays, end = first + probe_.rays;
-    const auto own = visible_.begin() + static_cast<std::ptrdiff_t>(first);
-    if (std::all_of(own, own + probe_.rays, [&](char is) { return is == *own; })) return *own;
-    double all = 0, seen = 0;
-    const double edge = 1.0 / probe_.split;
-    for (std::size_t ray = first; ray < end; ++ray) {
-      const double u = part_[ray] % probe_.split * edge, v = part_[ray] / probe_.split * edge;
-      const double weight = partWeight(source_, point.position, point.normal, u, v, edge);
-      all += weight;
-      if (visible_[ray]) seen += weight;
+    const auto own = memory_.visible.begin() + static_cast<std::ptrdiff_t>(first);
+    if (std::all_of(own, own + probe_.rays, [&](float is) { return is == *own; })) return *own;
+    Float8 all{}, seen{};
+    for (std::size_t ray = first; ray < end; ray += 8) {
+      const std::size_t count = std::min(end - ray, std::size_t{8});
+      const Float8 light = lightOfParts(source_, point, unaligned8(&memory_.u[ray]),
+                                        unaligned8(&memory_.v[ray]), 1.0 / probe_.split, count);
+      all += light;
+      seen += light * unaligned8(&memory_.visible[ray]);
     }
-    return all > 0 ? seen / all : 0;
+    return laneSum(all) > 0 ? laneSum(seen) / laneSum(all) : 0;
   }
 
  private:
@@ -208,15 +159,21 @@ class Shadow {
     } else {
       tracer_.occluded(rays_, blocked, true);  // from one patch to one source
     }
-    const auto split = static_cast<float>(probe_.split);
+    const Float8 partU = middleOfPart(u), partV = middleOfPart(v);
     for (std::uint32_t i = 0; i < rays_.count; ++i) {
-      visible_[index_[i]] = !blocked[i];
-      part_[index_[i]] =
-          static_cast<std::uint32_t>(v[i] * split) * probe_.split + static_cast<std::uint32_t>(u[i] * split);
+      memory_.visible[index_[i]] = blocked[i] ? 0.0f : 1.0f;
+      memory_.u[index_[i]] = partU[i];
+      memory_.v[index_[i]] = partV[i];
       blocked_ += blocked[i];
     }
     cast_ += rays_.count;
     rays_.count = 0;
+  }
+
+  /// Of the part of the source that a ray goes to; u or v of both.
+  Float8 middleOfPart(Float8 along) const {
+    const auto split = static_cast<float>(probe_.split);
+    return (__builtin_convertvector(__builtin_convertvector(along * split, Mask8), Float8) + 0.5f) / split;
   }
 
   void aim(int axis, Float8 u, Float8 v, const float* origin, float* direction) const {
@@ -228,12 +185,11 @@ class Shadow {
   const Emission& source_;
   Blockers* blockers_;
   Probe probe_;
+  ShadowMemory& memory_;
   std::array<float, 3> corner_, along_, across_;  // m, of where rays end, from the tracer's centre
   std::uint64_t seed_ = 0;
   std::uint32_t begunPoints_ = 0, begunRays_ = 0;
   std::size_t cast_ = 0, blocked_ = 0;
-  std::vector<char> visible_;        // points x rays; true where none was cast
-  std::vector<std::uint32_t> part_;  // points x rays: of the source, where the ray goes
   RayPacket rays_;
   std::uint32_t index_[RayPacket::kSize];  // points x rays
 };
@@ -273,10 +229,10 @@ struct Shade {
 /// where a shadow's edge crosses the patch. `edge`: of the patch, m.
 PatchLight patchLight(const RayTracer& tracer, const Emission& source, const PatchPoints& points,
                       const std::vector<char>& facing, const Shade& shade, double edge, std::uint32_t few,
-                      Probe probe, std::uint64_t seed) {
+                      Probe probe, std::uint64_t seed, ShadowMemory& memory) {
   if (shade.between == Between::kWall) return {};
   bool isClear = shade.between == Between::kNothing;
-  Shadow shadow(tracer, source, shade.blockers, probe);
+  Shadow shadow(tracer, source, shade.blockers, probe, memory);
   if (!isClear) {
     shadow.begin(points.many, facing, few, seed);
     if (shadow.verdict() < 0) return {};
@@ -288,7 +244,7 @@ PatchLight patchLight(const RayTracer& tracer, const Emission& source, const Pat
   double sum = 0, all = 0;
   for (std::size_t i = 0; i < used.size(); ++i) {
     if (!isFew && !facing[i]) continue;
-    const double lit = used[i].weight * unshadowedFar(source, used[i].position, used[i].normal);
+    const double lit = used[i].weight * openLightFar(source, used[i].position, used[i].normal);
     sum += isClear ? lit : lit * shadow.visibleShare(used[i], i);
     all += lit;
   }
@@ -298,7 +254,7 @@ PatchLight patchLight(const RayTracer& tracer, const Emission& source, const Pat
 /// Share 0..1 of the source, a little lowered, that is seen where a Lambertian square sends nothing, but a
 /// luminaire may that is tilted or shines upwards: beside it on its mount, and above.
 double shareFromBehind(const RayTracer& tracer, const Emission& source, const std::vector<PatchPoint>& points,
-                       std::uint64_t seed, std::vector<char>& facing) {
+                       std::uint64_t seed, std::vector<char>& facing, ShadowMemory& memory) {
   const Vec3 place = source.position() + kTilted * source.normal();
   facing.clear();
   bool any = false;
@@ -308,7 +264,7 @@ double shareFromBehind(const RayTracer& tracer, const Emission& source, const st
     any |= facing.back() != 0;
   }
   if (!any) return 0;
-  Shadow shadow(tracer, source, nullptr, {1, 1}, kTilted);
+  Shadow shadow(tracer, source, nullptr, {1, 1}, memory, kTilted);
   shadow.begin(points, facing, 0, seed + 2);
   shadow.complete(points, facing);
   return shadow.openShare();
@@ -346,6 +302,7 @@ class RowLight {
     const std::optional<Place> place = placeOf(room_, tracer_, {&p, 1});
     std::vector<char> facing;
     Blockers blockers;
+    ShadowMemory memory;
     for (std::size_t j = 0; j < sources_.size(); ++j) {
       const std::uint64_t own = mixBits(seed_ ^ (std::uint64_t{p} << 32 | j));
       if (sources_[j].isPhotometric()) {
@@ -356,10 +313,10 @@ class RowLight {
       PatchLight lit;
       if (findFacing(sources_[j], points.many, facing))
         lit = patchLight(tracer_, sources_[j], points, facing, shadeOf(p, place, j, blockers), edge,
-                         split * split, probe, own);
+                         split * split, probe, own, memory);
       light[j * stride] = static_cast<float>(lit.illuminance);
       if (visible && lit.visible == 0)
-        lit.visible = shareFromBehind(tracer_, sources_[j], points.many, own, facing);
+        lit.visible = shareFromBehind(tracer_, sources_[j], points.many, own, facing, memory);
       if (visible) visible[j * stride] = SiteVisibility::stepOf(lit.visible);
     }
   }
@@ -429,9 +386,10 @@ double directLightAt(const RayTracer& tracer, const PatchPoint& receiver, const 
   const Emission source(luminaire);
   if (source.isPhotometric()) return photometricPointLight(tracer, receiver, luminaire, split, mixBits(seed));
   if (!faces(source, receiver.position, receiver.normal)) return 0;
-  Shadow shadow(tracer, source, nullptr, {split * split, split});
+  ShadowMemory memory;
+  Shadow shadow(tracer, source, nullptr, {split * split, split}, memory);
   shadow.begin({receiver}, {1}, split * split, mixBits(seed));
-  const double lit = unshadowed(source, receiver.position, receiver.normal);
+  const double lit = openLight(source, receiver.position, receiver.normal);
   return shadow.verdict() > 0 ? lit : lit * shadow.visibleShare(receiver, 0);
 }
 

@@ -21,6 +21,13 @@ using Bits8 = std::uint32_t __attribute__((vector_size(32)));
 /// `from`: eight floats, aligned to 32 bytes.
 inline Float8 load8(const float* from) { return *reinterpret_cast<const Float8*>(from); }
 
+/// The same, aligned as floats are.
+inline Float8 unaligned8(const float* from) {
+  Float8 eight;
+  std::memcpy(&eight, from, sizeof eight);
+  return eight;
+}
+
 inline Bits8 loadBits8(const std::uint32_t* from) { return *reinterpret_cast<const Bits8*>(from); }
 
 inline Float8 all8(float value) { return Float8{} + value; }
@@ -41,6 +48,8 @@ inline Float8 max8(Float8 a, Float8 b) {
   return a > b ? a : b;
 #endif
 }
+
+inline float laneSum(Float8 a) { return ((a[0] + a[1]) + (a[2] + a[3])) + ((a[4] + a[5]) + (a[6] + a[7])); }
 
 /// Bit i: lane i is true.
 inline unsigned bitsOf(Mask8 mask) {

@@ -72,7 +72,8 @@ void PatchSets::addPatch(std::uint32_t patch, double before, double share) {
 void PatchSets::addPiece(const Vec3& corner, const Vec3& first, const Vec3& second, const Vec3& normal,
                          double before, double share, bool isTriangle) {
   pieces_.push_back({inFloats(corner - center_), inFloats(first), inFloats(second), inFloats(normal),
-                     static_cast<float>(before), static_cast<float>(1 / std::max(share, 1e-12)), isTriangle});
+                     static_cast<float>(1 / std::max(share, 1e-12)), isTriangle});
+  before_.push_back(static_cast<float>(before));
 }
 
 }  // namespace fiatlux

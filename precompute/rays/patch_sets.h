@@ -33,7 +33,7 @@ class PatchSets {
   /// A triangle by a corner and the edges from there, or a parallelogram.
   struct alignas(64) Piece {
     std::array<float, 3> corner, first, second, normal;  // m; unit
-    float before, perShare;                              // of the set's area; 1 over the share
+    float perShare;                                      // 1 over its share of the set's area
     bool isTriangle;
   };
 
@@ -45,22 +45,20 @@ class PatchSets {
   const Room& room_;
   Vec3 center_;                              // m
   std::vector<Piece> pieces_;                // by set
+  std::vector<float> before_;                // pieces: share of the set's area that those before it have
   std::vector<std::uint32_t> firstOf_{{0}};  // sets + 1
 };
 
 inline PatchSets::Point PatchSets::at(std::uint32_t set, float u, float v) const {
-  const Piece* piece = &pieces_[firstOf_[set]];
-  const Piece* const end = pieces_.data() + firstOf_[set + 1];
-  if (end - piece > 8) {
-    piece = std::upper_bound(piece + 1, end, u,
-                             [](float value, const Piece& each) { return value < each.before; }) -
-            1;
-  } else {
-    std::ptrdiff_t past = 0;
-    for (const Piece* each = piece + 1; each < end; ++each) past += u >= each->before;
-    piece += past;
+  // note: halved without a branch, for nobody can foretell it.
+  std::uint32_t found = firstOf_[set];
+  for (std::uint32_t count = firstOf_[set + 1] - found; count > 1;) {
+    const std::uint32_t half = count / 2;
+    found = u >= before_[found + half] ? found + half : found;
+    count -= half;
   }
-  float along = std::clamp((u - piece->before) * piece->perShare, 0.0f, 1.0f), across = v;
+  const Piece* const piece = &pieces_[found];
+  float along = std::clamp((u - before_[found]) * piece->perShare, 0.0f, 1.0f), across = v;
   if (piece->isTriangle) {
     const float root = std::sqrt(along);
     along = root * (1 - v);
