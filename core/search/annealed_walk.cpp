@@ -44,6 +44,7 @@ const auto kChance = [] {
 void AnnealedWalk::begin(std::uint64_t trials, double heat, double goal) {
   trials_ = trials;
   done_ = 0;
+  byTabu_ = false;
   heat_ = heat;
   scale_ = std::max(std::fabs(goal), kLeastGoal);
   temperature_ = kFirstTemperature * heat * scale_;
@@ -52,11 +53,24 @@ void AnnealedWalk::begin(std::uint64_t trials, double heat, double goal) {
   aimShare_ = kFirstAim * lastAimShare_;
 }
 
+void AnnealedWalk::beginTabu(std::uint64_t trials, double goal) {
+  begin(trials, 1, goal);
+  byTabu_ = true;
+  tabu_.clear();
+}
+
+void AnnealedWalk::beginTabuNear(std::uint64_t trials, double goal) {
+  beginTabu(trials, goal);
+  aimShare_ = lastAimShare_;
+}
+
 void AnnealedWalk::open(const Surroundings& at, Scan& scan) {
   at.evaluator.setPrices({penalty_, aimShare_});
   const FreeSites& freeSites = at.freeSites;
   follow_ = at.maySurvey() ? kFollowSurveys : kFollow;
   scan.position = 0;
+  scan.isSurvey = false;
+  if (byTabu_) return tabu_.open(at, scan);
   scan.luminaire = freeSites.randomMovable(at.random);
   const bool isSwap = swaps_ && at.random.below(kStepsPerSwap) == 0 && openSwap(at, scan);
   scan.isSurvey = !isSwap && at.maySurvey();
@@ -109,9 +123,11 @@ void AnnealedWalk::survey(const Surroundings& at, Scan& scan) const {
   scan.found.count = 1;  // note: judged when it is made; nothing depends on it before
 }
 
-std::uint32_t AnnealedWalk::trySome(const Surroundings& at, Scan& scan, std::uint32_t limit) const {
+std::uint32_t AnnealedWalk::trySome(const Surroundings& at, Scan& scan, std::uint32_t limit) {
   const std::uint32_t tried = std::min(limit, scan.size - scan.position);
-  if (scan.isSurvey) {
+  if (byTabu_) {
+    if (tried > 0 && scan.position + tried == scan.size) tabu_.choose(at, scan);
+  } else if (scan.isSurvey) {
     if (tried > 0 && scan.position + tried == scan.size) survey(at, scan);
   } else if (scan.candidates.empty() && tried > 0)
     at.evaluator.tryPair({scan.luminaire, scan.partnerCandidates[0]},

@@ -5,12 +5,14 @@
 // The temperature is led by how many steps are taken, which are to become fewer; a broken bound costs a
 // penalty, which grows while bounds are broken and shrinks while they are met, so that the walk keeps to
 // their edge. Neither knows any unit. What a missed aim costs is little at first, for one that is met hardly
-// lets anything move, and in the end as much as leads there.
+// lets anything move, and in the end as much as leads there. A walk may also take the steps of a tabu search
+// (tabu.h) at the same prices.
 #pragma once
 
 #include <cstdint>
 
 #include "core/search/neighborhood.h"
+#include "core/search/tabu.h"
 
 namespace fiatlux {
 
@@ -25,10 +27,16 @@ class AnnealedWalk {
   /// `goal`: a value that goals have. What a broken bound costs is what the last walk learned.
   void begin(std::uint64_t trials, double heat, double goal);
 
+  /// The same by steps of a tabu search, which come to layouts that warmth does not, and the other way round.
+  /// Precondition: Tabu::isPossible().
+  void beginTabu(std::uint64_t trials, double goal);
+  /// The same from a layout that is near its aims: what they cost does not rise from little again.
+  void beginTabuNear(std::uint64_t trials, double goal);
+
   /// Prepares a step from where the evaluator stands, whose penalty it sets, and opens the scan for it.
   void open(const Surroundings& at, Scan& scan);
   /// As of a row (neighborhood.h).
-  std::uint32_t trySome(const Surroundings& at, Scan& scan, std::uint32_t limit) const;
+  std::uint32_t trySome(const Surroundings& at, Scan& scan, std::uint32_t limit);
   /// After a step of `scan` that led to `current`, or to nothing when nothing was found.
   void close(const Scan& scan, const Evaluation& current);
 
@@ -43,7 +51,8 @@ class AnnealedWalk {
   void survey(const Surroundings& at, Scan& scan) const;
   bool openSwap(const Surroundings& at, Scan& scan) const;
 
-  bool swaps_, bounded_;
+  bool swaps_, bounded_, byTabu_ = false;
+  Tabu tabu_;
   double lastAimShare_;
   std::uint64_t trials_ = 0, done_ = 0;
   double heat_ = 1, scale_ = 1;

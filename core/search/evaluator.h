@@ -61,6 +61,13 @@ class Evaluator {
   /// What kSurveyed pairs of moves would be worth, first[k] and second[k] made at once. As survey().
   void surveyPairs(const Move* first, const Move* second, double* worths);
 
+  /// May all moves be looked at together?
+  bool mayLookAround() const { return maySurvey_ && objective_.mayLinearize(); }
+  /// Of all moves of `luminaires` to candidates that are not closed (kNoMove for one that is, else 0) the one
+  /// that is worth most to first order (linear_worth.h), at the prices of survey(); false where all are
+  /// closed. Preconditions: mayLookAround(), all luminaires of one flux.
+  bool bestMove(const std::vector<std::uint32_t>& luminaires, const std::vector<float>& closed, Move& best);
+
   /// Tries two moves at once; `best` as above. One evaluation.
   void tryPair(const Move& a, const Move& b, Trial& best);
 
@@ -89,6 +96,10 @@ class Evaluator {
                       Evaluation& result);
   void refresh();
   Prices surveyPrices() const;
+  void addComing(const Slope& slope, std::vector<double>& line) const;
+  double leaving(const Slope& slope, std::uint32_t from) const;
+  void readLines(const std::vector<float>& closed);
+  void readWorths(std::uint32_t i, std::uint32_t first, std::uint32_t count);
   void momentsOfMoves(std::uint32_t i, const std::uint32_t* block, std::uint32_t count);
   const double* countedFlux(const ObjectiveSet& set) const {
     return (set.row == RowOf::kGlare ? squares_ : flux_).data();
@@ -114,11 +125,17 @@ class Evaluator {
   std::vector<std::optional<PatchExtremes>> patches_;  // of each set that needs extremes
   std::vector<std::optional<PlaneValues>> points_;     // of each set that needs each point of planes
   bool hasPoints_ = false, maySurvey_ = false;
-  std::vector<Extremes> extremes_;                     // where it stands, of each set that needs them
-  std::vector<Moments> trialMoments_;                  // scratch, one per set
-  std::vector<Extremes> trialExtremes_;                // scratch, one per set
-  std::vector<double> means_, variances_;              // scratch, sets x block
-  std::vector<FluxChange> changes_;                    // scratch, one a site
+  std::vector<Extremes> extremes_;         // where it stands, of each set that needs them
+  std::vector<Moments> trialMoments_;      // scratch, one per set
+  std::vector<Extremes> trialExtremes_;    // scratch, one per set
+  std::vector<double> means_, variances_;  // scratch, sets x block
+  struct {
+    LinearWorth worth;
+    std::vector<double> line;
+    std::vector<float> lines, worths,
+        least;                       // an entry a candidate; of lines, of the slopes and of each edge
+  } look_;                           // scratch of bestMove()
+  std::vector<FluxChange> changes_;  // scratch, one a site
   std::vector<std::uint32_t> litSites_, memberSites_;  // scratch
   std::vector<double> litFlux_;                        // scratch
 };

@@ -63,6 +63,12 @@ class FreeSites {
   bool isTied() const { return prepared_.isTied(); }
   /// Are they the sites of one type, each a tie of its own, and as many as luminaires?
   bool isOfOneType() const { return !counts_ && prepared_.isTied() && prepared_.isOfOneType(); }
+  /// Is each candidate free for all luminaires or for none, whatever the others do?
+  bool isSimple() const {
+    return !counts_ && minDistance_ <= 0 && !types_.isAsked() && !prepared_.hasBodies();
+  }
+  /// Luminaires in the way of each candidate; more than there are where it is excluded.
+  const std::vector<std::uint32_t>& inTheWay() const { return blocked_; }
   /// The most candidates that a place has.
   std::uint32_t waysPerPlace() const { return prepared_.waysPerPlace(); }
   /// Do candidates differ in weight, or layouts in their count?

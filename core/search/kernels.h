@@ -22,6 +22,9 @@ struct FluxMoves {
   const std::uint32_t *from, *to;
 };
 
+/// What a move adds to the worth that may not be made; whatever is added to it, more than any other does.
+inline constexpr float kNoMove = 1e30f;
+
 /// row = C x (m entries), from nothing.
 FIATLUX_KERNEL void fillRow(const float* covariance, std::uint32_t m, const std::uint32_t* sites,
                             const double* flux, std::uint32_t count, double* row);
@@ -61,6 +64,28 @@ FIATLUX_KERNEL void pairedVariances(const float* covariance, const float* diagon
 /// Variance after any sparse change d: x^T C x + 2 d^T (C x) + d^T C d.
 FIATLUX_KERNEL double changedVariance(const float* covariance, std::uint32_t m, const double* row,
                                       double current, const FluxChange* changes, std::uint32_t count);
+
+/// worths = line + offset.
+FIATLUX_KERNEL void startWorths(const float* line, float offset, std::uint32_t count, float* worths);
+
+/// worths += factor values.
+FIATLUX_KERNEL void addProducts(const float* values, float factor, std::uint32_t count, float* worths);
+
+/// worths += what of line + offset is above 0.
+FIATLUX_KERNEL void addExcess(const float* line, float offset, std::uint32_t count, float* worths);
+
+/// worths += what of line + offset + factor values is above 0.
+FIATLUX_KERNEL void addExcess(const float* line, float offset, const float* values, float factor,
+                              std::uint32_t count, float* worths);
+
+/// least = the lesser of it and worths, entry by entry.
+FIATLUX_KERNEL void keepLess(const float* worths, std::uint32_t count, float* least);
+
+/// The least of all, or kNoMove.
+FIATLUX_KERNEL float leastOf(const float* values, std::uint32_t count);
+
+/// Where the value is for the first time. Precondition: it is there.
+FIATLUX_KERNEL std::uint32_t placeOf(float value, const float* values, std::uint32_t count);
 
 /// light += flux factor column, all of `rows` entries.
 FIATLUX_KERNEL void addLight(const float* column, const double* factor, double flux, std::uint32_t rows,

@@ -10,6 +10,7 @@
 
 #include "core/search/dimming.h"
 #include "core/search/intentions.h"
+#include "core/search/linear_worth.h"
 #include "core/search/patch_extremes.h"
 #include "core/search/prepared_scene.h"
 
@@ -86,6 +87,12 @@ class Objective {
   /// next; of the variances it makes sigmas. Where no dimming meets all bounds it takes an end of the range,
   /// not the best t. Precondition: maySurvey().
   void survey(const double* means, double* variances, const Prices& prices, double* worths) const;
+
+  /// May their worth be told to first order? Where an aim holds the dimming it would be told too badly.
+  bool mayLinearize() const { return maySurvey_ && !(hasAims_ && dimmingLow_ < dimmingHigh_); }
+  /// The worth about a layout of these moments, which is dimmed so, at such prices. Precondition:
+  /// mayLinearize().
+  void linearize(const Moments* moments, double dimming, const Prices& prices, LinearWorth& worth) const;
 
   /// What mean and variance alone allow: 0 <= minimum <= mean, maximum >= mean + variance / mean
   /// (Bhatia-Davis).

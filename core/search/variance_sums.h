@@ -27,6 +27,8 @@ class VarianceSums {
   /// After each of `count` pairs of moves. Precondition: of a covariance, not of a factor.
   void movedPairs(double current, const FluxMoves& moves, const FluxMoves& others, std::uint32_t count,
                   double* out) const;
+  /// C x, an entry a candidate. Precondition: of a covariance, not of a factor.
+  const std::vector<double>& row() const { return sums_; }
   /// After any change.
   double changed(double current, const FluxChange* changes, std::uint32_t count);
 

@@ -11,15 +11,16 @@
 namespace fiatlux {
 namespace {
 
-constexpr std::uint32_t kIdleSteps = 20000;  // steps without a single trial: no site is free to go to
-constexpr std::uint32_t kGatherings = 64;    // tried before a walk begins at the best of them
-constexpr std::uint32_t kCenters = 512;      // of gatherings of all luminaires
-constexpr std::uint32_t kFirstRoom = 4;      // layouts remembered, one more for each walk
-constexpr double kCrossShare = 0.3;          // of other work, that much more with each walk
-constexpr std::uint32_t kWalksFirst = 2;     // before layouts are crossed
-constexpr std::uint32_t kCrossings = 2;      // tried before a local search begins at the best of them
-constexpr std::uint32_t kMostInVain = 15;    // crossings in a row, until there is another walk
-constexpr std::uint32_t kWalksInVain = 6;    // and at least half of all, until the search starts anew
+constexpr std::uint32_t kIdleSteps = 20000;   // steps without a single trial: no site is free to go to
+constexpr std::uint32_t kGatherings = 64;     // tried before a walk begins at the best of them
+constexpr std::uint32_t kCenters = 512;       // of gatherings of all luminaires
+constexpr std::uint32_t kFirstRoom = 4;       // layouts remembered, one more for each walk
+constexpr double kCrossShare = 0.3;           // of other work, that much more with each walk
+constexpr std::uint32_t kWalksFirst = 2;      // before layouts are crossed
+constexpr std::uint32_t kCrossings = 2;       // tried before a local search begins at the best of them
+constexpr std::uint32_t kTrialsOfChild = 20;  // a luminaire, by the steps of a tabu search
+constexpr std::uint32_t kMostInVain = 15;     // crossings in a row, until there is another walk
+constexpr std::uint32_t kWalksInVain = 6;     // and at least half of all, until the search starts anew
 
 /// How a search goes about, as suits what its steps are.
 struct Pace {
@@ -300,12 +301,18 @@ std::uint32_t Vns::tryCrossings(std::uint32_t limit) {
   return spent;
 }
 
-/// A local search from there: quick, and at first one that may break bounds and miss aims a little.
+/// A few steps of a tabu search from there, where these are possible; else a local search: quick, and at
+/// first one that may break bounds and miss aims a little.
 void Vns::searchChild(const std::vector<std::uint32_t>& child) {
   thorough_ = false;
   begin(child);
   crossing_ = true;
   foundSince_ = false;
+  if (Tabu::isPossible(here())) {
+    follow(child);
+    walk_.beginTabuNear(kTrialsOfChild * freeSites_.movable().size(), bestEvaluation_.goal);
+    return;
+  }
   easing_ = !walk_.prices().areFirm();
   evaluator_.setPrices(walk_.prices());
 }
@@ -347,12 +354,20 @@ std::uint32_t Vns::tryGatherings(std::uint32_t limit) {
 
 void Vns::beginWalk(const std::vector<std::uint32_t>& sites, double heat) {
   begin(sites);
-  walking_ = true;
   foundSince_ = false;
+  follow(sites);
+  if (walks_ % 2 == 1 && Tabu::isPossible(here()))
+    walk_.beginTabu(length_, bestEvaluation_.goal);
+  else
+    walk_.begin(length_, heat, bestEvaluation_.goal);
+  length_ += length_ / paceOf(here()).longer;
+}
+
+/// Takes the steps of a walk from there on, where the evaluator stands.
+void Vns::follow(const std::vector<std::uint32_t>& sites) {
+  walking_ = true;
   walked_ = sites;
   walkedEvaluation_ = evaluator_.current();
-  walk_.begin(length_, heat, bestEvaluation_.goal);
-  length_ += length_ / paceOf(here()).longer;
 }
 
 /// Takes the step of a walk, where there is one.
@@ -372,8 +387,12 @@ void Vns::closeStep() {
 }
 
 /// A local search from the best layout of a walk: a quick one, unless it is worth more or moves must be
-/// paired.
+/// paired; none after a crossing, whose steps were the best of many moves.
 void Vns::endWalk() {
+  if (crossing_) {
+    begin(walked_);
+    return shake();
+  }
   const bool isPaired = freeSites_.counts() || prepared_.isOfTypes();
   const std::uint64_t turn = freeSites_.movable().size() * prepared_.candidateCount();
   thorough_ = isPaired || (foundSince_ && walk_.trials() > paceOf(here()).worthTurns * turn);

@@ -1,10 +1,11 @@
 // Variable neighbourhood search (Hansen and Mladenovic; the engine of paper section 5): shake a layout,
 // improve it by local search on delta evaluations, and shake again, more strongly. What shakes is an annealed
 // walk, longer each time: from the best layout, from luminaires gathered around a site, from anywhere, by
-// turns. Between walks, good layouts that were found are crossed. When that has found nothing better for
-// long, all of it starts anew from a random layout: many searches one after another find what one long one
-// does not. A pure function of scene, intentions, start and seed; it advances in slices of any size without
-// changing its path.
+// turns. Between walks, good layouts that were found are crossed. Where all moves can be looked at together,
+// every other walk and what follows a crossing take the steps of a tabu search. When that has found nothing
+// better for long, all of it starts anew from a random layout: many searches one after another find what one
+// long one does not. A pure function of scene, intentions, start and seed; it advances in slices of any size
+// without changing its path.
 #pragma once
 
 #include <cstddef>
@@ -34,8 +35,8 @@ class Vns {
   Vns(PreparedScene& prepared, const Intentions& intentions, std::uint64_t seed, const TiedStart& start,
       const Layout* reference = nullptr);
 
-  /// Spends exactly `evaluations` more evaluations (one = one trial layout; a survey is five), or none when
-  /// nothing can move.
+  /// Spends exactly `evaluations` more evaluations (one = one trial layout; a survey is five, a step of a
+  /// tabu search as many as last as long), or none when nothing can move.
   void advance(std::uint32_t evaluations);
 
   /// The best layout so far, always a complete one, and what it is worth.
@@ -72,6 +73,7 @@ class Vns {
   void searchChild(const std::vector<std::uint32_t>& child);
   void beginGatherings();
   std::uint32_t tryGatherings(std::uint32_t limit);
+  void follow(const std::vector<std::uint32_t>& sites);
   void beginWalk(const std::vector<std::uint32_t>& sites, double heat);
   void closeStep();
   void endWalk();
