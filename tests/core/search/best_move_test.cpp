@@ -1,5 +1,5 @@
-// The best of all moves against trials of them, one by one; and the steps of a tabu search, which keep to the
-// rules and do not go back at once.
+// The best of all moves, as linear_worth tells it, against trials of them, one by one; and the steps of a
+// tabu search, which keep to the rules and do not go back at once.
 #include <gtest/gtest.h>
 
 #include <algorithm>
