@@ -129,13 +129,14 @@ class Evaluator {
   std::vector<Moments> trialMoments_;      // scratch, one per set
   std::vector<Extremes> trialExtremes_;    // scratch, one per set
   std::vector<double> means_, variances_;  // scratch, sets x block
-  struct {
+  struct LookAround {
     LinearWorth worth;
-    std::vector<double> line;
-    std::vector<float> lines, worths,
-        least;                       // an entry a candidate; of lines, of the slopes and of each edge
-  } look_;                           // scratch of bestMove()
-  std::vector<FluxChange> changes_;  // scratch, one a site
+    std::vector<double> line;          // an entry a candidate, like all that follow
+    std::vector<float> lines;          // of the slopes together, then of each edge
+    std::vector<float> worths, least;  // of a luminaire's moves, and of all
+  };
+  LookAround look_;                                    // scratch of bestMove()
+  std::vector<FluxChange> changes_;                    // scratch, one a site
   std::vector<std::uint32_t> litSites_, memberSites_;  // scratch
   std::vector<double> litFlux_;                        // scratch
 };

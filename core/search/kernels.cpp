@@ -4,6 +4,11 @@
 #include <cstddef>
 
 namespace fiatlux {
+namespace {
+
+constexpr std::uint32_t kSideBySide = 16;  // values that are compared at once
+
+}  // namespace
 
 void fillRow(const float* covariance, std::uint32_t m, const std::uint32_t* sites, const double* flux,
              std::uint32_t count, double* row) {
@@ -112,12 +117,6 @@ void keepLess(const float* worths, std::uint32_t count, float* __restrict least)
     least[c] = worth < before ? worth : before;
   }
 }
-
-namespace {
-
-constexpr std::uint32_t kSideBySide = 16;
-
-}  // namespace
 
 float leastOf(const float* values, std::uint32_t count) {
   float lanes[kSideBySide];

@@ -457,15 +457,20 @@ class RoomViewer implements Viewer {
   /** How far over a site there is something that a luminaire can hang from, m. */
   #mountsAbove(sites: SceneInfo['sites'], room: readonly LitMesh[]): (site: number) => number {
     const known = new Map<number, number>();
-    return (site) => {
-      let above = known.get(site);
-      if (above === undefined) {
+    const above = (site: number) => {
+      let distance = known.get(site);
+      if (distance === undefined) {
         const up = new Vector3().fromArray(sites.normal, 3 * site).negate();
-        above = this.#picking.reach(new Ray(sitePosition(sites, site), up), room);
-        known.set(site, above);
+        distance = this.#picking.reach(new Ray(sitePosition(sites, site), up), room);
+        known.set(site, distance);
       }
-      return above;
+      return distance;
     };
+    // What rays go through is sorted at the first one: not with all else that the first layout brings.
+    setTimeout(() => {
+      if (room === this.#room?.lit && sites.size.length > 0) above(0);
+    });
+    return above;
   }
 
   /** A dark picture first would only delay the lit one; where no light comes it is drawn after all. */
