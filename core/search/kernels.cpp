@@ -1,6 +1,7 @@
 // Changes of paper (8) and (10); see kernels.h.
 #include "core/search/kernels.h"
 
+#include <cmath>
 #include <cstddef>
 
 namespace fiatlux {
@@ -99,7 +100,7 @@ void addProducts(const float* values, float factor, std::uint32_t count, float* 
 void addExcess(const float* line, float offset, std::uint32_t count, float* __restrict worths) {
   for (std::uint32_t c = 0; c < count; ++c) {
     const float beyond = line[c] + offset;
-    worths[c] += beyond > 0 ? beyond : 0.0f;
+    worths[c] += 0.5f * (std::fabs(beyond) + beyond);
   }
 }
 
@@ -107,7 +108,7 @@ void addExcess(const float* line, float offset, const float* values, float facto
                float* __restrict worths) {
   for (std::uint32_t c = 0; c < count; ++c) {
     const float beyond = line[c] + offset + factor * values[c];
-    worths[c] += beyond > 0 ? beyond : 0.0f;
+    worths[c] += 0.5f * (std::fabs(beyond) + beyond);
   }
 }
 
