@@ -2,6 +2,7 @@
  * Task areas (EN 12464-1): parts of a measuring plane or of a floor by their outlines in plan, with a band around each and
  * the rest of the plane as its background. Each counts as a leaf surface of its own, made of the points of the plane in it.
  */
+import { countedRows } from './counted-rows.ts';
 import { isInside, outlineOf, wallDistance, type MarkedArea } from './areas.ts';
 import type { Point2 } from './plan-frame.ts';
 import type { Card, PlanArea, SceneInfo, TaskArea } from './types.ts';
@@ -28,15 +29,6 @@ function boxOf(outline: readonly Point2[]): PlanArea {
 
 type Surface = SceneInfo['surfaces'][number];
 
-/** The counted rows of a leaf, ascending. */
-function rowsOfLeaf(scene: SceneInfo, leaf: number): number[] {
-  const rows: number[] = [];
-  scene.surfaceOfPatch.forEach((surface, row) => {
-    if (surface === leaf && scene.patchCovered[row] !== 1) rows.push(row);
-  });
-  return rows;
-}
-
 const placeOf = ({ patchCenter }: SceneInfo, row: number): Point2 => [
   patchCenter[3 * row]!,
   patchCenter[3 * row + 2]!,
@@ -55,7 +47,7 @@ function partsOn(scene: SceneInfo, leaf: number, areas: readonly TaskArea[]): Su
   const tasks = areas.map((): number[] => []);
   const bands = areas.map((): number[] => []);
   const rest: number[] = [];
-  for (const row of rowsOfLeaf(scene, leaf)) {
+  for (const row of countedRows(scene, leaf)) {
     const place = placeOf(scene, row);
     const inside = areas.flatMap(({ outline }, i) => (isInside(outline, place) ? [i] : []));
     for (const i of inside) tasks[i]!.push(row);
@@ -96,7 +88,7 @@ export function leafBehind({ surfaces }: Pick<SceneInfo, 'surfaces'>, leaf: numb
 interface Level {
   readonly leaf: number;
   readonly height: number; // m
-  readonly rows: readonly number[];
+  readonly rows: Uint32Array;
 }
 
 const knownLevels = new WeakMap<SceneInfo, readonly Level[]>();
@@ -112,15 +104,16 @@ function levelsOf(scene: SceneInfo): readonly Level[] {
 
 function findLevels(scene: SceneInfo): Level[] {
   const ranges = scene.surfaces.map(() => [Infinity, -Infinity] as [number, number]);
-  scene.surfaceOfPatch.forEach((leaf, row) => {
-    const height = scene.patchCenter[3 * row + 1]!;
-    const range = ranges[leaf]!;
+  const { surfaceOfPatch, patchCenter } = scene;
+  for (let row = 0; row < surfaceOfPatch.length; row++) {
+    const height = patchCenter[3 * row + 1]!;
+    const range = ranges[surfaceOfPatch[row]!]!;
     range[0] = Math.min(range[0], height);
     range[1] = Math.max(range[1], height);
-  });
+  }
   return ranges
     .flatMap(([low, high], leaf) =>
-      high - low <= level ? [{ leaf, height: (low + high) / 2, rows: rowsOfLeaf(scene, leaf) }] : [],
+      high - low <= level ? [{ leaf, height: (low + high) / 2, rows: countedRows(scene, leaf) }] : [],
     )
     .sort((a, b) => a.height - b.height);
 }
@@ -167,9 +160,9 @@ export function worktopsOf(
 }
 
 /** The convex outline of square patches, to the millimetre. */
-function hullOf(scene: SceneInfo, rows: readonly number[]): [number, number][] {
+function hullOf(scene: SceneInfo, rows: Uint32Array): [number, number][] {
   const round = (value: number) => Math.round(1000 * value) / 1000;
-  const points = rows
+  const points = [...rows]
     .flatMap((row) => {
       const [x, z] = placeOf(scene, row);
       const half = Math.sqrt(scene.patchArea[row] ?? 0) / 2;

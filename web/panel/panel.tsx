@@ -6,6 +6,7 @@ import type { Tab } from '../app/state/store.ts';
 import { IntentionsTab } from './intentions/intentions-tab.tsx';
 import { LuminairesTab } from './luminaires/luminaires-tab.tsx';
 import { ResultsTab } from './results/results-tab.tsx';
+import { useLater } from './controls/use-later.ts';
 import { StatusLine } from './status-line.tsx';
 import { useSheet } from './use-sheet.ts';
 import { words } from '../language/language.ts';
@@ -17,7 +18,8 @@ export function Panel() {
   const root = useRef<HTMLElement>(null);
   const { sheet, raise, open, bar } = useSheet(root);
   const active = store.tab.value;
-  const isUnlit = store.preview.value !== null;
+  const isPreview = store.preview.value !== null;
+  const isUnlit = useLater(isPreview) || isPreview; // all of a tab is much to draw: the picture goes before
   const select = (tab: Tab) => {
     store.tab.value = tab;
     open();

@@ -22,8 +22,8 @@ import { freeGpu } from './stage/free-gpu.ts';
 import { PlaneLabels } from './light/plane-labels.ts';
 import { RoomLight } from './light/room-light.ts';
 import { betterPlace, quadrantShares } from './room/facing.ts';
-import { breath } from './stage/breath.ts';
-import { planOf, roomFrame } from './room/floor-plan.ts';
+import { breath, inTurn } from './stage/breath.ts';
+import { planOf } from './room/floor-plan.ts';
 import { paintMeshes } from './room/painted-meshes.ts';
 import { patchColors } from './room/patch-colors.ts';
 import {
@@ -39,7 +39,7 @@ import { cutOf, isBuilding, openingCut } from './room/storeys.ts';
 import { SiteMarks } from './luminaires/site-marks.ts';
 import { Stage } from './stage/stage.ts';
 import { standingCamera } from './eye/room-poses.ts';
-import { SurfaceOutlines } from './room/surface-outline.ts';
+import { rimOf, SurfaceOutlines } from './room/surface-outline.ts';
 import type {
   BuildingView,
   CreateViewer,
@@ -55,6 +55,7 @@ import { ViewInput } from './hand/view-input.ts';
 import { Wipe } from './wipe.ts';
 import { previewSample, warmUp } from './warm-up.ts';
 
+const noRim = new Float32Array(0);
 const twoStoreys = 4.2; // m: a lower room has one
 /** 300 ms after a room was opened: its first picture goes before. */
 const calmed = () => new Promise((resolve) => setTimeout(resolve, 300));
@@ -89,7 +90,7 @@ class RoomViewer implements Viewer {
   #prepared: { readonly glb: ArrayBuffer; readonly root: ReturnType<typeof readGlb> } | null = null;
   #room: RoomMesh | null = null;
   #info: SceneInfo | null = null;
-  #frame: PlanFrame | null = null; // of the room, but not of a preview
+  #plan: RoomPlan | null = null; // of the room, but not of a preview
   #display: Display | null = null;
   #paint: readonly SurfacePaint[] = [];
   #aims: readonly number[] = [];
@@ -178,15 +179,18 @@ class RoomViewer implements Viewer {
     // What a room that is shown needs is made in tasks of their own: a longer one would hold up the page.
     const tree = await root;
     await breath();
-    const room = loadRoomMesh(tree, scene, this.#light.uniforms, this.#stage.anisotropy);
+    const room = await inTurn(loadRoomMesh(tree, scene, this.#light.uniforms, this.#stage.anisotropy));
     await breath();
-    const frame = roomFrame(room);
+    const plan = await inTurn(planOf(room));
+    await breath();
+    const rim = await inTurn(rimOf(room.lit));
     await breath();
     if (turn !== this.#opening || this.#disposed) return room.dispose();
-    this.#show(room, scene);
-    this.#frame = frame;
+    this.#show(room, scene, rim);
+    this.#plan = plan;
     this.#awaitLight(turn);
     this.#looked = this.#look(turn);
+    await breath(); // the panel draws much of a new room, too
   }
 
   expectPreview(): void {
@@ -201,7 +205,8 @@ class RoomViewer implements Viewer {
     await this.#stage.link(room.root, this.#rig.active);
     if (turn !== this.#opening || this.#disposed) return room.dispose();
     this.#unlit = false;
-    this.#show(room, null, keepView);
+    this.#show(room, null, noRim, keepView);
+    await breath();
   }
 
   arrive(): void {
@@ -343,12 +348,11 @@ class RoomViewer implements Viewer {
   }
 
   frame(): PlanFrame | null {
-    return this.#frame;
+    return this.#plan?.frame ?? null;
   }
 
   plan(): RoomPlan | null {
-    const frame = this.frame();
-    return frame && this.#room && planOf(this.#room, frame);
+    return this.#plan;
   }
 
   building(): BuildingView | null {
@@ -432,18 +436,19 @@ class RoomViewer implements Viewer {
       part.dispose();
   }
 
-  #show(room: RoomMesh, info: SceneInfo | null, keepView = false): void {
+  #show(room: RoomMesh, info: SceneInfo | null, rim: Float32Array, keepView = false): void {
     this.#clearRoom();
     this.#room = room;
     this.#info = info;
     this.#light.setScene(info);
     this.#light.setBox(room.box);
-    const above = info ? this.#mountsAbove(info.sites, room.lit) : undefined;
-    this.#wipe.setScene(info, above);
+    this.#wipe.setScene(info);
     for (const labels of [this.#planeLabels, this.#otherPlaneLabels]) labels.setScene(info);
-    this.#hand.setSites(info?.sites ?? null, above);
+    this.#hand.setSites(info?.sites ?? null);
+    if (info) void this.#hang(info.sites, room.lit);
     this.setAreas(this.#areas);
     this.#emphasis.setRoom(room.lit);
+    this.#outlines.setRim(rim);
     this.#contacts.setRoom(room.lit, info);
     this.#stage.daylight.visible = info === null;
     this.#stage.scene.add(room.root);
@@ -454,23 +459,21 @@ class RoomViewer implements Viewer {
     this.#loop.invalidate();
   }
 
-  /** How far over a site there is something that a luminaire can hang from, m. */
-  #mountsAbove(sites: SceneInfo['sites'], room: readonly LitMesh[]): (site: number) => number {
+  /** Finds what luminaires hang from: in pieces, and beside the first layout, which brings much else. */
+  async #hang(sites: SceneInfo['sites'], room: readonly LitMesh[]): Promise<void> {
+    const up = (site: number) =>
+      new Ray(sitePosition(sites, site), new Vector3().fromArray(sites.normal, 3 * site).negate());
+    await breath();
+    if (sites.size.length > 0) await this.#picking.prepare(up(0), room);
+    if (room !== this.#room?.lit) return;
     const known = new Map<number, number>();
     const above = (site: number) => {
-      let distance = known.get(site);
-      if (distance === undefined) {
-        const up = new Vector3().fromArray(sites.normal, 3 * site).negate();
-        distance = this.#picking.reach(new Ray(sitePosition(sites, site), up), room);
-        known.set(site, distance);
-      }
+      const distance = known.get(site) ?? this.#picking.reach(up(site), room);
+      known.set(site, distance);
       return distance;
     };
-    // What rays go through is sorted at the first one: not with all else that the first layout brings.
-    setTimeout(() => {
-      if (room === this.#room?.lit && sites.size.length > 0) above(0);
-    });
-    return above;
+    for (const luminaires of [this.#luminaires, this.#wipe.luminaires]) luminaires.hangFrom(above);
+    this.#loop.invalidate();
   }
 
   /** A dark picture first would only delay the lit one; where no light comes it is drawn after all. */
@@ -509,7 +512,7 @@ class RoomViewer implements Viewer {
     this.#observers.show([]);
     if (this.#room) this.#stage.scene.remove(this.#room.root);
     this.#room?.dispose();
-    this.#room = this.#frame = null;
+    this.#room = this.#plan = null;
   }
 
   #applyPaint(): void {

@@ -40,11 +40,11 @@ export class Wipe {
     return share < this.at ? this.light : null;
   }
 
-  /** Another room, or none. `above`: as of LuminaireObjects. */
-  setScene(scene: SceneInfo | null, above?: (site: number) => number): void {
+  /** Another room, or none. */
+  setScene(scene: SceneInfo | null): void {
     this.#scene = scene;
     this.set(null);
-    this.luminaires.setSites(scene?.sites ?? null, above);
+    this.luminaires.setSites(scene?.sites ?? null);
   }
 
   set(other: OtherLight | null): void {

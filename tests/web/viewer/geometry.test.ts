@@ -3,6 +3,7 @@ import { BoxGeometry, EdgesGeometry, PlaneGeometry } from 'three';
 import { boxes } from './boxes.ts';
 import type { Box } from '../../../web/viewer/eye/framing.ts';
 import { connectedParts } from '../../../web/viewer/room/mesh-parts.ts';
+import { atOnce } from '../../../web/viewer/stage/breath.ts';
 import { surfaceEdges } from '../../../web/viewer/room/surface-edges.ts';
 import { crowdedTags, spreadTags } from '../../../web/viewer/luminaires/tag-layout.ts';
 
@@ -11,9 +12,9 @@ const board: Box = { min: [7.9, 1, 1], max: [8, 2, 4] };
 
 test('connected parts hang together through vertices at the same place', () => {
   const { index, positions } = boxes(picture, board);
-  expect(connectedParts(index, positions).map((part) => part.length)).toEqual([12, 12]);
+  expect(atOnce(connectedParts(index, positions)).map((part) => part.length)).toEqual([12, 12]);
   const touching = boxes(picture, { min: [3, 1, 0], max: [4, 2, 0.05] });
-  expect(connectedParts(touching.index, touching.positions)).toHaveLength(1);
+  expect(atOnce(connectedParts(touching.index, touching.positions))).toHaveLength(1);
 });
 
 describe('edges of a surface', () => {
@@ -21,7 +22,7 @@ describe('edges of a surface', () => {
 
   test('are its boundary, however it is cut', () => {
     const plane = new PlaneGeometry(2, 1, 8, 4);
-    const ends = surfaceEdges(plane.index!.array, plane.getAttribute('position').array, 35);
+    const ends = atOnce(surfaceEdges(plane.index!.array, plane.getAttribute('position').array, 35));
     expect(count(ends)).toBe(2 * (8 + 4)); // the sides of the outermost cells
     for (let i = 0; i < ends.length; i += 3) {
       const onEdge = Math.abs(Math.abs(ends[i]!) - 1) < 1e-6 || Math.abs(Math.abs(ends[i + 1]!) - 0.5) < 1e-6;
@@ -35,7 +36,7 @@ describe('edges of a surface', () => {
     const shift = left.getAttribute('position').count;
     const index = [...left.index!.array, ...[...right.index!.array].map((vertex) => vertex + shift)];
     const positions = [...left.getAttribute('position').array, ...right.getAttribute('position').array];
-    const ends = surfaceEdges(index, positions, 35);
+    const ends = atOnce(surfaceEdges(index, positions, 35));
     for (let i = 0; i < ends.length; i += 6)
       expect(Math.abs(ends[i]!) + Math.abs(ends[i + 3]!)).toBeGreaterThan(0.9);
     let length = 0;
@@ -46,10 +47,10 @@ describe('edges of a surface', () => {
 
   test('are the creases of a closed body, as three finds them', () => {
     const box = new BoxGeometry(1, 2, 3, 2, 3, 4);
-    const ends = surfaceEdges(box.index!.array, box.getAttribute('position').array, 35);
+    const ends = atOnce(surfaceEdges(box.index!.array, box.getAttribute('position').array, 35));
     expect(count(ends)).toBe(4 * (2 + 3 + 4));
     expect(count(ends)).toBe(new EdgesGeometry(box, 35).getAttribute('position').count / 2);
-    expect(count(surfaceEdges(box.index!.array, box.getAttribute('position').array, 100))).toBe(0);
+    expect(count(atOnce(surfaceEdges(box.index!.array, box.getAttribute('position').array, 100)))).toBe(0);
   });
 });
 

@@ -30,6 +30,7 @@ import { siteModel } from './site-model.ts';
 import { isBeyondMemory, longerForMemory, secondsForeseen } from './foreseen.ts';
 import { TimeLeft } from './time-left.ts';
 import { words } from '../../language/language.ts';
+import { breath } from '../../viewer/stage/breath.ts';
 import { reasonOf } from '../../document/reason.ts';
 
 const coarser = 1.6; // times as long are patches then: their number, and the memory of it, falls to 0.4
@@ -113,6 +114,7 @@ export class Lighting {
       const room = known ?? (await this.#shelf.nameFor(model.name, first.room.source));
       litRoom.value = this.#modelOf = room;
       const shown = await this.#showDraft(model.name, room, first, running);
+      await breath(); // to begin workers takes long, too
       const full = await this.#build(pool, measured, 'full', running);
       const isKept = await this.#kept(room, full, model);
       const isShown = await this.#showFull(room, full, shown, isKept, running).catch(endOf(full));

@@ -3,6 +3,7 @@
  * the area. Everything is weighted by area; mu and sigma are population statistics.
  */
 import type { SurfaceResult } from '../../solver/protocol.ts';
+import { countedRows } from '../../document/counted-rows.ts';
 import type { Quantity, SceneInfo } from '../../document/types.ts';
 
 export interface AreaSample {
@@ -17,12 +18,10 @@ export interface AreaSample {
 
 /** The patches of some leaves, without those that something covers. */
 export function patchesOf(scene: SceneInfo, leaves: readonly number[]): Uint32Array {
-  const wanted = new Set(leaves);
-  const patches = leaves.flatMap((leaf) => [...(scene.surfaces[leaf]?.part?.rows ?? [])]);
-  scene.surfaceOfPatch.forEach((surface, patch) => {
-    if (wanted.has(surface) && scene.patchCovered[patch] !== 1) patches.push(patch);
-  });
-  return Uint32Array.from(patches);
+  const parts = leaves.map((leaf) => scene.surfaces[leaf]?.part?.rows ?? countedRows(scene, leaf));
+  const patches = new Uint32Array(parts.reduce((sum, { length }) => sum + length, 0));
+  parts.reduce((at, rows) => (patches.set(rows, at), at + rows.length), 0);
+  return patches;
 }
 
 /** The light on some patches; null where there are none. */

@@ -54,7 +54,7 @@ export class Solids {
       for (const vertex of part.index) this.index[corners++] = vertices + vertex;
       vertices += part.positions.length / 3;
     });
-    this.tree = new TriangleTree(this.index, this.positions);
+    this.tree = TriangleTree.of(this.index, this.positions);
   }
 }
 

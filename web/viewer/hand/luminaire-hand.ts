@@ -60,12 +60,12 @@ export class LuminaireHand {
     return this.#dragging.luminaire !== null;
   }
 
-  /** A new room, or none: the hand is empty and nothing hangs. `above`: as of LuminaireObjects. */
-  setSites(sites: SceneInfo['sites'] | null, above?: (site: number) => number): void {
+  /** A new room, or none: the hand is empty and nothing hangs. */
+  setSites(sites: SceneInfo['sites'] | null): void {
     this.#dragging.cancel();
     this.#sites = sites;
     this.#layout = emptyLayout;
-    this.#parts.luminaires.setSites(sites, above);
+    this.#parts.luminaires.setSites(sites);
     this.setBarred([], []);
   }
 

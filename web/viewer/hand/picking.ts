@@ -14,6 +14,7 @@ import type { LuminaireObject } from '../luminaires/luminaire-objects.ts';
 import type { LitMesh } from '../room/room-mesh.ts';
 import { barycentric, lightAtVertex } from '../light/probe.ts';
 import { TriangleTree, type TreeHit } from '../room/triangle-tree.ts';
+import { inTurn } from '../stage/breath.ts';
 
 export interface Hit {
   readonly luminaire: number | null;
@@ -39,6 +40,16 @@ const past = 1e-4; // m: so far behind a hit that does not count the next is loo
 function boxOf({ geometry, matrixWorld }: Mesh): Box3 {
   if (!geometry.boundingBox) geometry.computeBoundingBox();
   return new Box3().copy(geometry.boundingBox!).applyMatrix4(matrixWorld);
+}
+
+/** Meshes that a ray may meet. */
+const onWay = (ray: Ray, room: readonly LitMesh[]) =>
+  room.filter(({ mesh, measuring }) => !measuring && ray.intersectsBox(boxOf(mesh))).map(({ mesh }) => mesh);
+
+function inWorld({ geometry, matrixWorld }: Mesh): Pick<Indexed, 'index' | 'positions'> {
+  const world = geometry.getAttribute('position').clone().applyMatrix4(matrixWorld);
+  const index = geometry.index?.array ?? Uint32Array.from({ length: world.count }, (_, i) => i);
+  return { index, positions: world.array };
 }
 
 export class Picking {
@@ -88,11 +99,20 @@ export class Picking {
     return this.#caster.intersectObject(root, true)[0]?.point ?? null;
   }
 
+  /** Makes ready what `reach` wants to know for a ray. */
+  async prepare(ray: Ray, room: readonly LitMesh[]): Promise<void> {
+    for (const mesh of onWay(ray, room)) {
+      if (this.#indexed.has(mesh)) continue;
+      const { index, positions } = inWorld(mesh);
+      const tree = await inTurn(TriangleTree.growing(index, positions));
+      this.#indexed.set(mesh, { index, positions, tree });
+    }
+  }
+
   /** How far a ray goes until it meets the front of something, drawn or not, m; Infinity where it leaves the room. */
   reach(ray: Ray, room: readonly LitMesh[]): number {
     let least = Infinity;
-    for (const { mesh, measuring } of room) {
-      if (measuring || !ray.intersectsBox(boxOf(mesh))) continue;
+    for (const mesh of onWay(ray, room)) {
       const { tree } = this.#indexOf(mesh);
       const hit = tree.cast(ray.origin.toArray(), ray.direction.toArray(), false, least);
       if (hit) least = hit.distance;
@@ -137,9 +157,8 @@ export class Picking {
   #indexOf(mesh: Mesh): Indexed {
     let indexed = this.#indexed.get(mesh);
     if (!indexed) {
-      const world = mesh.geometry.getAttribute('position').clone().applyMatrix4(mesh.matrixWorld);
-      const index = mesh.geometry.index?.array ?? Uint32Array.from({ length: world.count }, (_, i) => i);
-      indexed = { index, positions: world.array, tree: new TriangleTree(index, world.array) };
+      const { index, positions } = inWorld(mesh);
+      indexed = { index, positions, tree: TriangleTree.of(index, positions) };
       this.#indexed.set(mesh, indexed);
     }
     return indexed;

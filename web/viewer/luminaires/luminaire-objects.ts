@@ -116,11 +116,17 @@ export class LuminaireObjects {
     this.select(this.#selected);
   }
 
-  /** A new room: no luminaires yet. `above`: how far over a site its mount is, m; Infinity where there is none. */
-  setSites(sites: SceneInfo['sites'] | null, above: (site: number) => number = () => Infinity): void {
+  /** A new room: no luminaires yet, and no cords before it is known what they hang from. */
+  setSites(sites: SceneInfo['sites'] | null): void {
     this.#clear();
     this.#sites = sites;
+    this.#above = () => Infinity;
+  }
+
+  /** `above`: how far over a site its mount is, m; Infinity where there is none. */
+  hangFrom(above: (site: number) => number): void {
     this.#above = above;
+    for (const object of this.objects) this.#suspend(object);
   }
 
   setLayout(layout: Layout): void {

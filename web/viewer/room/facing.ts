@@ -2,12 +2,13 @@
 import { Vector3 } from 'three';
 import type { Destination, EyePlace } from '../eye/framing.ts';
 import type { LitMesh } from './room-mesh.ts';
+import type { Pieces } from '../stage/breath.ts';
 
 /** Of a leaf surface, the shares of its area that face an eye at azimuth 45, 135, 225 and 315 degrees, and that look down. */
 type Shares = readonly [number, number, number, number, number];
 export type Facing = ReadonlyMap<number, Shares>;
 
-export function facingOf(lit: readonly LitMesh[]): Facing {
+export function* facingOf(lit: readonly LitMesh[]): Pieces<Facing> {
   const sums = new Map<number, [number, number, number, number, number, number]>();
   const [a, b, c, normal] = [new Vector3(), new Vector3(), new Vector3(), new Vector3()];
   for (const { mesh, surface, measuring } of lit) {
@@ -30,6 +31,7 @@ export function facingOf(lit: readonly LitMesh[]): Facing {
       if (-normal.x - normal.z > 0.1) sum[2] += area;
       if (normal.z - normal.x > 0.1) sum[3] += area;
     }
+    yield;
   }
   return new Map(
     [...sums].map(([surface, [p, q, r, s, down, area]]) => {

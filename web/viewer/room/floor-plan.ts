@@ -2,7 +2,7 @@
  * The room in plan, out of its display mesh: the floor is what faces up at the lowest height, its open edges are chained
  * to loops; furniture is drawn by its edges as seen from above.
  */
-import { Box3, Vector3 } from 'three';
+import { Box3 } from 'three';
 import {
   inPlan,
   twiceArea,
@@ -13,11 +13,13 @@ import {
 } from '../../document/plan-frame.ts';
 import type { RoomMesh } from './room-mesh.ts';
 import { surfaceEdges } from './surface-edges.ts';
+import { atOnce, type Pieces } from '../stage/breath.ts';
 
 const level = 0.05; // m above the lowest place: still floor
 const upright = 0.99; // cosine of the slope that a floor may have
 const shortest = 0.04; // m: shorter edges of furniture are not drawn
 const crease = 35; // degrees
+const portion = 3 * 4096; // corners of triangles that are looked at in one piece
 const aPart = 0.03; // of the largest surface underfoot: what is smaller belongs to something else
 const smallest = 0.05; // m2: a smaller loop is a gap between things
 
@@ -25,25 +27,34 @@ const smallest = 0.05; // m2: a smaller loop is a gap between things
 type Triangles = ArrayLike<number>;
 
 /** The triangles of the floor: those that face up at the `lowest` height (by default that of the lowest of them). */
-export function floorTriangles(all: Triangles, lowest?: number): number[] {
+export function floorTriangles(all: Triangles, lowest?: number): Float64Array {
   const heights = new Float64Array(Math.floor(all.length / 9)).fill(Infinity); // of those that face up
   let bottom = Infinity;
+  // note: plain numbers, for this runs before the browser has compiled it well.
   for (let i = 0, at = 0; i < heights.length; i++, at += 9) {
-    const [ax, ay, az] = [all[at]!, all[at + 1]!, all[at + 2]!];
-    const [ux, uy, uz] = [all[at + 3]! - ax, all[at + 4]! - ay, all[at + 5]! - az];
-    const [vx, vy, vz] = [all[at + 6]! - ax, all[at + 7]! - ay, all[at + 8]! - az];
-    const [nx, ny, nz] = [uy * vz - uz * vy, uz * vx - ux * vz, ux * vy - uy * vx];
+    const ux = all[at + 3]! - all[at]!;
+    const uy = all[at + 4]! - all[at + 1]!;
+    const uz = all[at + 5]! - all[at + 2]!;
+    const vx = all[at + 6]! - all[at]!;
+    const vy = all[at + 7]! - all[at + 1]!;
+    const vz = all[at + 8]! - all[at + 2]!;
+    const nx = uy * vz - uz * vy;
+    const ny = uz * vx - ux * vz;
+    const nz = ux * vy - uy * vx;
     const length = Math.sqrt(nx * nx + ny * ny + nz * nz);
     if (length <= 1e-12 || ny <= upright * length) continue;
-    heights[i] = ay + (uy + vy) / 3;
-    bottom = Math.min(bottom, heights[i]!);
+    const height = all[at + 1]! + (uy + vy) / 3;
+    heights[i] = height;
+    if (height < bottom) bottom = height;
   }
-  const floor: number[] = [];
-  heights.forEach((height, i) => {
-    if (height >= (lowest ?? bottom) + level) return;
-    for (let at = 9 * i; at < 9 * i + 9; at++) floor.push(all[at]!);
-  });
-  return floor;
+  const floor = new Float64Array(9 * heights.length);
+  const most = (lowest ?? bottom) + level;
+  let end = 0;
+  for (let i = 0; i < heights.length; i++) {
+    if (heights[i]! >= most) continue;
+    for (let at = 9 * i; at < 9 * i + 9; at++) floor[end++] = all[at]!;
+  }
+  return floor.slice(0, end);
 }
 
 /** The frame that a floor spans; `top`: the highest place of the room, m. */
@@ -62,21 +73,31 @@ export function frameOf(floor: Triangles, top: number): PlanFrame {
 }
 
 /** Closed loops of the open edges of some triangles, in plan, the largest first; what runs straight has no corner. */
-export function outlinesOf(floor: Triangles, frame: PlanFrame): Point2[][] {
-  const index = Array.from({ length: floor.length / 3 }, (_, i) => i);
-  const segments = inSegments(surfaceEdges(index, floor, 180), frame);
+export function* outlinesOf(floor: Triangles, frame: PlanFrame): Pieces<Point2[][]> {
+  const index = Uint32Array.from({ length: floor.length / 3 }, (_, i) => i);
+  const segments = inSegments(yield* surfaceEdges(index, floor, 180), frame);
+  yield;
   return chained(segments)
     .map(straightened)
     .filter((loop) => loop.length > 2 && Math.abs(twiceArea(loop)) > 2 * smallest)
     .sort((a, b) => Math.abs(twiceArea(b)) - Math.abs(twiceArea(a)));
 }
 
-/** The plan of a room that is displayed. Its furniture takes long, and is found when it is drawn for the first time. */
-export function planOf(room: RoomMesh, frame: PlanFrame): RoomPlan {
+/**
+ * The plan of a room that is displayed; where nothing faces up, in the frame of its box. Its furniture takes long, and is
+ * found when it is drawn for the first time.
+ */
+export function* planOf(room: RoomMesh): Pieces<RoomPlan> {
+  const floor = yield* floorOf(room);
+  yield;
+  const { min, max } = room.box;
+  const frame = frameOf(floor.length > 0 ? floor : [...min, ...max], max[1]);
+  yield;
+  const outlines = yield* outlinesOf(floor, frame);
   let furniture: RoomPlan['furniture'] | null = null;
   return {
     frame,
-    outlines: outlinesOf(floorOf(room), frame),
+    outlines,
     get furniture() {
       return (furniture ??= furnitureOf(room, frame));
     },
@@ -87,9 +108,9 @@ function furnitureOf(room: RoomMesh, frame: PlanFrame): RoomPlan['furniture'] {
   const edges = new Map<string, readonly [Point2, Point2]>();
   for (const { mesh, measuring } of room.lit) {
     if (measuring || !room.standing.has(mesh)) continue;
-    const corners = trianglesOf(mesh);
+    const corners = atOnce(trianglesOf(mesh));
     const index = Array.from({ length: corners.length / 3 }, (_, i) => i);
-    for (const [a, b] of inSegments(surfaceEdges(index, corners, crease), frame)) {
+    for (const [a, b] of inSegments(atOnce(surfaceEdges(index, corners, crease)), frame)) {
       if (Math.hypot(b[0] - a[0], b[1] - a[1]) < shortest) continue;
       const ends = [keyOf(a), keyOf(b)].sort().join('|');
       edges.set(ends, [a, b]);
@@ -98,26 +119,27 @@ function furnitureOf(room: RoomMesh, frame: PlanFrame): RoomPlan['furniture'] {
   return [...edges.values()];
 }
 
-/** The frame of a room that is displayed; where nothing faces up, that of its box. */
-export function roomFrame(room: RoomMesh): PlanFrame {
-  const floor = floorOf(room);
-  const { min, max } = room.box;
-  return frameOf(floor.length > 0 ? floor : [...min, ...max], max[1]);
-}
-
 /** The floor of a room that is displayed, without the sills of doors and what else is low and small. */
-function floorOf({ lit }: RoomMesh): number[] {
+function* floorOf({ lit }: RoomMesh): Pieces<Float64Array> {
   const solid = lit.filter(({ measuring }) => !measuring);
   const bottoms = solid.map(({ mesh }) => new Box3().setFromObject(mesh).min.y);
   const lowest = Math.min(...bottoms);
-  const floors = new Map<number, number[][]>(); // by surface
+  const floors = new Map<number, Float64Array[]>(); // by surface
   for (const { mesh, surface } of solid.filter((_, i) => bottoms[i]! < lowest + level)) {
-    const faces = floorTriangles(trianglesOf(mesh, lowest + level), lowest);
+    const faces = floorTriangles(yield* trianglesOf(mesh, lowest + level), lowest);
     floors.set(surface, [...(floors.get(surface) ?? []), faces]);
+    yield;
   }
-  const areas = [...floors.values()].map((parts) => parts.reduce((sum, faces) => sum + levelArea(faces), 0));
+  const areas: number[] = [];
+  for (const parts of floors.values()) {
+    areas.push(parts.reduce((sum, faces) => sum + levelArea(faces), 0));
+    yield;
+  }
   const most = Math.max(0, ...areas);
-  return [...floors.values()].filter((_, i) => areas[i]! > aPart * most).flat(2);
+  const kept = [...floors.values()].filter((_, i) => areas[i]! > aPart * most).flat();
+  const all = new Float64Array(kept.reduce((sum, { length }) => sum + length, 0));
+  kept.reduce((at, faces) => (all.set(faces, at), at + faces.length), 0);
+  return all;
 }
 
 /** Seen from above, m2. */
@@ -131,23 +153,26 @@ function levelArea(faces: Triangles): number {
 }
 
 /** In world space; only those whose middle lies below a height, where one is given. */
-function trianglesOf({ geometry, matrixWorld }: RoomMesh['lit'][number]['mesh'], below = Infinity): number[] {
-  const position = geometry.getAttribute('position');
-  const places = new Float64Array(3 * position.count);
-  const point = new Vector3();
-  for (let i = 0; i < position.count; i++)
-    point
-      .fromBufferAttribute(position, i)
-      .applyMatrix4(matrixWorld)
-      .toArray(places, 3 * i);
-  const { index } = geometry;
-  const corners: number[] = [];
-  for (let first = 0; first + 2 < (index?.count ?? position.count); first += 3) {
-    const at = [first, first + 1, first + 2].map((k) => 3 * (index?.getX(k) ?? k));
-    if (at.reduce((sum, k) => sum + places[k + 1]!, 0) / 3 >= below) continue;
-    for (const k of at) corners.push(places[k]!, places[k + 1]!, places[k + 2]!);
+function* trianglesOf(
+  { geometry, matrixWorld }: RoomMesh['lit'][number]['mesh'],
+  below = Infinity,
+): Pieces<Triangles> {
+  const places = geometry.getAttribute('position').clone().applyMatrix4(matrixWorld).array;
+  const index = geometry.index?.array ?? null;
+  const vertices = index?.length ?? places.length / 3;
+  const corners = new Float64Array(3 * vertices);
+  let end = 0;
+  for (let first = 0; first + 2 < vertices; first += 3) {
+    if (first % portion === 0) yield;
+    let heights = 0;
+    for (let corner = first; corner < first + 3; corner++) {
+      const at = 3 * (index ? index[corner]! : corner);
+      for (let axis = 0; axis < 3; axis++) corners[end++] = places[at + axis]!;
+      heights += places[at + 1]!;
+    }
+    if (heights / 3 >= below) end -= 9;
   }
-  return corners;
+  return corners.subarray(0, end);
 }
 
 function inSegments(ends: Float32Array, frame: PlanFrame): [Point2, Point2][] {

@@ -3,6 +3,7 @@ import { BufferAttribute, BufferGeometry, Mesh, type Object3D } from 'three';
 import type { Box } from '../eye/framing.ts';
 import { connectedParts } from './mesh-parts.ts';
 import { hangingSides, isRoomItself, isRug, type Side } from './standing.ts';
+import type { Pieces } from '../stage/breath.ts';
 
 const splittable = 60_000; // triangles; finer meshes are left whole
 
@@ -27,12 +28,12 @@ function boxOf(triangles: readonly number[], index: ArrayLike<number>, positions
   return { min, max };
 }
 
-export function partsOf(mesh: Mesh): Part[] {
+export function* partsOf(mesh: Mesh): Pieces<Part[]> {
   const world = mesh.geometry.getAttribute('position').clone().applyMatrix4(mesh.matrixWorld);
   const index = mesh.geometry.index?.array ?? [...Array(world.count).keys()];
   const whole = !mesh.geometry.index || index.length > 3 * splittable;
   const every = () => Array.from({ length: Math.floor(index.length / 3) }, (_, i) => 3 * i);
-  const parts = whole ? [every()] : connectedParts(index, world.array);
+  const parts = whole ? [every()] : yield* connectedParts(index, world.array);
   return parts.map((triangles) => ({ mesh, triangles, box: boxOf(triangles, index, world.array) }));
 }
 
@@ -86,8 +87,12 @@ export interface SortedMeshes {
 }
 
 /** `meshes` have their world matrices. */
-export function splitHungMeshes(meshes: readonly Mesh[], room: Box): SortedMeshes {
-  const parts = meshes.flatMap(partsOf);
+export function* splitHungMeshes(meshes: readonly Mesh[], room: Box): Pieces<SortedMeshes> {
+  const parts: Part[] = [];
+  for (const mesh of meshes) {
+    for (const part of yield* partsOf(mesh)) parts.push(part);
+    yield;
+  }
   const sides = hangingSides(
     room,
     parts.map(({ box }) => box),
@@ -100,12 +105,14 @@ export function splitHungMeshes(meshes: readonly Mesh[], room: Box): SortedMeshe
   });
   const hanging = new Map<Object3D, Side>();
   const [standing, rugs] = [new Set<Object3D>(), new Set<Object3D>()];
-  for (const [mesh, own] of perMesh)
+  for (const [mesh, own] of perMesh) {
     for (const [piece, side] of splitMesh(mesh, own))
       if (side) hanging.set(piece, side);
       else if (own.every(({ part, side: of }) => of !== null || !isRoomItself(room, part.box))) {
         standing.add(piece);
         if (own.every(({ part, side: of }) => of !== null || isRug(room, part.box))) rugs.add(piece);
       }
+    yield;
+  }
   return { hanging, standing, rugs };
 }

@@ -1,12 +1,13 @@
 /** Connected parts of a triangle mesh: what touches at a vertex hangs together. Vertices within 0.1 mm are one. */
 
 import { weldVertices } from './weld.ts';
+import type { Pieces } from '../stage/breath.ts';
 
 const weld = 1e-4; // m
 
 /** Triangles (first index of each in `index`) of every connected part. */
-export function connectedParts(index: ArrayLike<number>, positions: ArrayLike<number>): number[][] {
-  const vertices = weldVertices(positions, weld);
+export function* connectedParts(index: ArrayLike<number>, positions: ArrayLike<number>): Pieces<number[][]> {
+  const vertices = yield* weldVertices(positions, weld);
   // Union-find with path halving.
   const parent = Int32Array.from(vertices.keys());
   const find = (v: number): number => {

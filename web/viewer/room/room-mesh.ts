@@ -27,6 +27,7 @@ import { facingOf, type Facing } from './facing.ts';
 import { splitHungMeshes } from './hung-meshes.ts';
 import type { Side } from './standing.ts';
 import type { Box } from '../eye/framing.ts';
+import { inTurn, type Pieces } from '../stage/breath.ts';
 import { words } from '../../language/language.ts';
 import { frontOf } from '../../language/surface-names.ts';
 import { reasonOf } from '../../document/reason.ts';
@@ -144,17 +145,18 @@ function freeMeshes(root: Object3D, more: Iterable<Material>): void {
 }
 
 /** Makes the display mesh of a scene file ready for its light; takes `root` over. Throws one readable line. */
-export function loadRoomMesh(
+export function* loadRoomMesh(
   root: Group,
   scene: SceneInfo,
   shared: SharedUniforms,
   anisotropy: number,
-): RoomMesh {
+): Pieces<RoomMesh> {
   root.updateMatrixWorld(true);
   const lit: LitMesh[] = [];
   const box = boundsOf(root);
   const solid = meshesOf(root).filter((mesh) => !isMeasuring(mesh, scene));
-  const { hanging, standing, rugs } = splitHungMeshes(solid, box);
+  yield;
+  const { hanging, standing, rugs } = yield* splitHungMeshes(solid, box);
   const meshes = meshesOf(root);
   const sources = new Set<Material>();
   for (const mesh of meshes) {
@@ -189,7 +191,7 @@ export function loadRoomMesh(
     standing,
     rugs,
     box,
-    facing: facingOf(lit),
+    facing: yield* facingOf(lit),
     dispose: () => freeMeshes(root, sources),
   };
 }
@@ -219,7 +221,7 @@ export async function loadPreview(glb: ArrayBuffer, cutAway: boolean): Promise<R
     mesh.material = look;
   }
   const box = boundsOf(root);
-  const { hanging, standing, rugs } = splitHungMeshes(meshesOf(root), box);
+  const { hanging, standing, rugs } = await inTurn(splitHungMeshes(meshesOf(root), box));
   const dispose = () => freeMeshes(root, looks.keys());
   return { root, lit: [], hanging, standing, rugs, box, facing: new Map(), dispose };
 }

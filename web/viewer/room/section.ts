@@ -17,6 +17,7 @@ import {
 } from '../light/light-material.ts';
 import { forEachCut, type Solid } from './columns.ts';
 import { partsOf, type Part } from './hung-meshes.ts';
+import { atOnce } from '../stage/breath.ts';
 import type { RoomMesh } from './room-mesh.ts';
 import { carry } from './standing.ts';
 import { storeysOf, type Storey } from './storeys.ts';
@@ -193,7 +194,7 @@ export class Section {
   /** Marks what stands whole, once; returns the rest. */
   #sorted(): readonly Solid[] {
     const lit = this.#allPieces.filter(({ mesh }) => mesh.geometry.hasAttribute('_patches'));
-    const parts: Part[] = lit.flatMap(({ mesh }) => partsOf(mesh));
+    const parts: Part[] = lit.flatMap(({ mesh }) => atOnce(partsOf(mesh)));
     const storeys = standingStoreys(
       parts.map(({ box }) => box),
       this.storeys,

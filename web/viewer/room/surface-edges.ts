@@ -5,20 +5,37 @@
  */
 
 import { weldVertices } from './weld.ts';
+import type { Pieces } from '../stage/breath.ts';
 
 const weld = 5e-4; // m: vertices as near as this are one
 const shortest = 1e-4; // m: less is no edge
 
 type Triple = readonly [number, number, number];
 
-/** Unit normal of a triangle, or null where it has no area. */
-function normalOf(positions: ArrayLike<number>, a: number, b: number, c: number): Triple | null {
-  const at = (v: number, axis: number) => positions[3 * v + axis]!;
-  const [ux, uy, uz] = [at(b, 0) - at(a, 0), at(b, 1) - at(a, 1), at(b, 2) - at(a, 2)];
-  const [vx, vy, vz] = [at(c, 0) - at(a, 0), at(c, 1) - at(a, 1), at(c, 2) - at(a, 2)];
-  const [x, y, z] = [uy * vz - uz * vy, uz * vx - ux * vz, ux * vy - uy * vx];
-  const length = Math.hypot(x, y, z);
-  return length > 1e-12 ? [x / length, y / length, z / length] : null;
+/** Unit normals of triangles, xyz each; NaN where one has no area. `corners`: vertices, three a triangle. */
+function normalsOf(positions: ArrayLike<number>, corners: Uint32Array): Float64Array {
+  const normals = new Float64Array(corners.length);
+  // note: plain numbers, for this runs before the browser has compiled it well.
+  for (let i = 0; i + 2 < corners.length; i += 3) {
+    const a = 3 * corners[i]!;
+    const b = 3 * corners[i + 1]!;
+    const c = 3 * corners[i + 2]!;
+    const ux = positions[b]! - positions[a]!;
+    const uy = positions[b + 1]! - positions[a + 1]!;
+    const uz = positions[b + 2]! - positions[a + 2]!;
+    const vx = positions[c]! - positions[a]!;
+    const vy = positions[c + 1]! - positions[a + 1]!;
+    const vz = positions[c + 2]! - positions[a + 2]!;
+    const x = uy * vz - uz * vy;
+    const y = uz * vx - ux * vz;
+    const z = ux * vy - uy * vx;
+    const length = Math.hypot(x, y, z);
+    const scale = length > 1e-12 ? 1 / length : NaN;
+    normals[i] = x * scale;
+    normals[i + 1] = y * scale;
+    normals[i + 2] = z * scale;
+  }
+  return normals;
 }
 
 /** Open edges that lie on one line and belong to triangles of one plane: a place on it and the steps of what is left of it. */
@@ -39,11 +56,18 @@ const along = (a: Triple, b: Triple, t: number): Triple => [
 const keyOf = (triple: Triple, scale: number): string =>
   triple.map((value) => Math.round(value * scale + 0.317)).join(' ');
 
+/** Ends of an edge with a triangle on one side, and the unit normal of that. */
+interface OpenEdge {
+  readonly from: Triple;
+  readonly to: Triple;
+  readonly normal: Triple;
+}
+
 /**
  * Where flat neighbours are cut differently (T-junctions), both sides have open edges that run against each other on
- * one line. They cancel; what remains is the boundary. `open`: ends and normal of each open edge.
+ * one line. They cancel; what remains is the boundary.
  */
-function cancelOpposed(open: readonly { from: Triple; to: Triple; normal: Triple }[]): [Triple, Triple][] {
+function cancelOpposed(open: readonly OpenEdge[]): [Triple, Triple][] {
   const lines = new Map<string, Line>();
   for (const { from, to, normal } of open) {
     const span = along(to, from, -1);
@@ -74,38 +98,82 @@ function cancelOpposed(open: readonly { from: Triple; to: Triple; normal: Triple
   return left;
 }
 
+/** Directed edges whose twin was not met yet, by open addressing: a Map of them would be much to clean up. */
+class OpenEdges {
+  readonly #mask: number;
+  readonly #from: Int32Array; // -1: none was here
+  readonly #to: Int32Array;
+  readonly #corner: Int32Array; // of the triangle; -1: met
+
+  constructor(most: number) {
+    const capacity = 1 << Math.max(4, Math.ceil(Math.log2(2 * most)));
+    this.#mask = capacity - 1;
+    this.#from = new Int32Array(capacity).fill(-1);
+    this.#to = new Int32Array(capacity);
+    this.#corner = new Int32Array(capacity);
+  }
+
+  add(from: number, to: number, corner: number): void {
+    const slot = this.#slot(from, to);
+    this.#from[slot] = from;
+    this.#to[slot] = to;
+    this.#corner[slot] = corner;
+  }
+
+  /** Removes an edge; the corner that came with it, or -1. */
+  take(from: number, to: number): number {
+    const slot = this.#slot(from, to);
+    if (this.#from[slot] === -1) return -1;
+    const corner = this.#corner[slot]!;
+    this.#corner[slot] = -1;
+    return corner;
+  }
+
+  forEach(visit: (from: number, to: number, corner: number) => void): void {
+    for (let slot = 0; slot <= this.#mask; slot++)
+      if (this.#from[slot]! >= 0 && this.#corner[slot]! >= 0)
+        visit(this.#from[slot]!, this.#to[slot]!, this.#corner[slot]!);
+  }
+
+  #slot(from: number, to: number): number {
+    let slot = (Math.imul(from, 73856093) ^ Math.imul(to, 19349663)) & this.#mask;
+    while (this.#from[slot] !== -1 && (this.#from[slot] !== from || this.#to[slot] !== to))
+      slot = (slot + 1) & this.#mask;
+    return slot;
+  }
+}
+
 /** Ends of the edges, xyz each, two ends an edge. `crease` in degrees. */
-export function surfaceEdges(
+export function* surfaceEdges(
   index: ArrayLike<number>,
   positions: ArrayLike<number>,
   crease: number,
-): Float32Array {
-  const welded = weldVertices(positions, weld);
-  const vertices = positions.length / 3;
+): Pieces<Float32Array> {
+  const welded = yield* weldVertices(positions, weld);
+  yield;
   const cosine = Math.cos((crease * Math.PI) / 180);
-  const open = new Map<number, Triple>(); // directed edge -> normal of its triangle
+  const corners = new Uint32Array(index.length);
+  for (let i = 0; i < index.length; i++) corners[i] = welded[index[i]!]!;
+  const normals = normalsOf(positions, corners);
+  const normal = (first: number): Triple => [normals[first]!, normals[first + 1]!, normals[first + 2]!];
+  yield;
+  const open = new OpenEdges(index.length);
   const at = (v: number): Triple => [positions[3 * v]!, positions[3 * v + 1]!, positions[3 * v + 2]!];
   const drawn: [Triple, Triple][] = [];
   for (let i = 0; i + 2 < index.length; i += 3) {
-    const corner = [welded[index[i]!]!, welded[index[i + 1]!]!, welded[index[i + 2]!]!] as const;
-    const normal = normalOf(positions, ...corner);
-    if (!normal) continue;
+    if (Number.isNaN(normals[i])) continue;
     for (let side = 0; side < 3; side++) {
-      const [from, to] = [corner[side]!, corner[(side + 1) % 3]!];
-      const twin = open.get(to * vertices + from);
-      if (!twin) {
-        open.set(from * vertices + to, normal);
-        continue;
-      }
-      open.delete(to * vertices + from);
-      if (dot(normal, twin) < cosine) drawn.push([at(from), at(to)]);
+      const from = corners[i + side]!;
+      const to = corners[i + ((side + 1) % 3)]!;
+      const twin = open.take(to, from);
+      if (twin < 0) open.add(from, to, i);
+      else if (dot(normal(i), normal(twin)) < cosine) drawn.push([at(from), at(to)]);
     }
   }
-  const ends = [...open].map(([edge, normal]) => ({
-    from: at(Math.floor(edge / vertices)),
-    to: at(edge % vertices),
-    normal,
-  }));
+  yield;
+  const ends: OpenEdge[] = [];
+  open.forEach((from, to, corner) => ends.push({ from: at(from), to: at(to), normal: normal(corner) }));
+  yield;
   drawn.push(...cancelOpposed(ends));
   return Float32Array.from(drawn.flat(2));
 }

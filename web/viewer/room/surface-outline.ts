@@ -20,25 +20,28 @@ import { LineSegmentsGeometry } from 'three/examples/jsm/lines/LineSegmentsGeome
 import { surfaceEdges } from './surface-edges.ts';
 import { overPlaneShader, type PlaneUniforms } from '../light/plane-footprints.ts';
 import type { LitMesh } from './room-mesh.ts';
+import { atOnce, type Pieces } from '../stage/breath.ts';
 
 const level = 0.02; // m of height that a ceiling may have
 const hand = 0.1; // m
 const crease = 35; // degrees: sharper edges inside a surface are drawn too
 
+/** Line ends of a mesh's edges, xyz each, where its `position` is. */
 function edgesOfMesh(
   geometry: BufferGeometry,
   position: { array: ArrayLike<number>; count: number },
-): Float32Array {
+): Pieces<Float32Array> {
   const index = geometry.index?.array ?? [...Array(position.count).keys()];
   return surfaceEdges(index, position.array, crease);
 }
 
-/** Line ends of a surface's edges in world space, xyz each. */
-function edgesOf(meshes: readonly LitMesh[]): Float32Array {
-  const parts = meshes.map(({ mesh }) => {
+/** Line ends of the edges of meshes in world space, xyz each. */
+function* edgesOf(meshes: readonly LitMesh[]): Pieces<Float32Array> {
+  const parts: Float32Array[] = [];
+  for (const { mesh } of meshes) {
     const position = mesh.geometry.getAttribute('position').clone().applyMatrix4(mesh.matrixWorld);
-    return edgesOfMesh(mesh.geometry, position);
-  });
+    parts.push(yield* edgesOfMesh(mesh.geometry, position));
+  }
   const all = new Float32Array(parts.reduce((sum, part) => sum + part.length, 0));
   parts.reduce((offset, part) => (all.set(part, offset), offset + part.length), 0);
   return all;
@@ -63,6 +66,9 @@ function ceilingOf(room: readonly LitMesh[]): readonly LitMesh[] {
     .filter(({ lit, box }) => box.max.y - box.min.y < level && top - box.max.y < hand && facesDown(lit))
     .map(({ lit }) => lit);
 }
+
+/** The edge of the ceiling, line ends in world space, xyz each. */
+export const rimOf = (room: readonly LitMesh[]): Pieces<Float32Array> => edgesOf(ceilingOf(room));
 
 /**
  * Lines over the light on a measuring plane: no darker where many cross, and lighter than isolux lines, so that a chair is
@@ -165,7 +171,7 @@ export class SurfaceOutlines {
     if (visible && this.#drawing.length === 0) {
       for (const { mesh, measuring } of this.#room) {
         if (measuring) continue;
-        const ends = edgesOfMesh(mesh.geometry, mesh.geometry.getAttribute('position'));
+        const ends = atOnce(edgesOfMesh(mesh.geometry, mesh.geometry.getAttribute('position')));
         const geometry = new BufferGeometry().setAttribute('position', new BufferAttribute(ends, 3));
         const lines = new LineSegments(geometry, this.#thin);
         lines.renderOrder = 1;
@@ -181,15 +187,15 @@ export class SurfaceOutlines {
     }
   }
 
-  /** The edge of the ceiling, which itself is cut away: where the room ends above. */
+  /** The edge of the ceiling, which itself is cut away: where the room that is set ends above. `rim`: rimOf() it. */
+  setRim(rim: Float32Array): void {
+    const geometry = new BufferGeometry().setAttribute('position', new BufferAttribute(rim, 3));
+    this.#ceiling = new LineSegments(geometry, this.#rim);
+    this.#ceiling.renderOrder = 2;
+    this.root.add(this.#ceiling);
+  }
+
   showRim(visible: boolean): void {
-    if (visible && !this.#ceiling) {
-      const ends = edgesOf(ceilingOf(this.#room));
-      const geometry = new BufferGeometry().setAttribute('position', new BufferAttribute(ends, 3));
-      this.#ceiling = new LineSegments(geometry, this.#rim);
-      this.#ceiling.renderOrder = 2;
-      this.root.add(this.#ceiling);
-    }
     if (this.#ceiling) this.#ceiling.visible = visible;
   }
 
@@ -209,8 +215,10 @@ export class SurfaceOutlines {
 
   #edgesOfSurface(surface: number): Float32Array {
     let ends = this.#edges.get(surface);
-    if (!ends)
-      this.#edges.set(surface, (ends = edgesOf(this.#room.filter((lit) => lit.surface === surface))));
+    if (!ends) {
+      ends = atOnce(edgesOf(this.#room.filter((lit) => lit.surface === surface)));
+      this.#edges.set(surface, ends);
+    }
     return ends;
   }
 

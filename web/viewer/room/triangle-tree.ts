@@ -3,7 +3,10 @@
  * are split in the middle of their longest side until they hold few triangles.
  */
 
+import { atOnce, type Pieces } from '../stage/breath.ts';
+
 const leafSize = 8;
+const many = 1000; // triangles: fewer are sorted in one piece
 const boxSize = 9; // numbers
 const deepest = 60; // levels
 const same = 1e-5; // of two sides of one sheet the front is met
@@ -25,11 +28,21 @@ export class TriangleTree {
   #nodes = new Nodes();
   #stack = new Int32Array(deepest + 2);
 
-  constructor(index: ArrayLike<number>, positions: ArrayLike<number>) {
+  private constructor(index: ArrayLike<number>, positions: ArrayLike<number>) {
     this.#index = index;
     this.#positions = positions;
     this.#triangles = Uint32Array.from({ length: Math.floor(index.length / 3) }, (_, i) => i);
-    if (this.#triangles.length > 0) this.#build(this.#boxes(), 0, this.#triangles.length);
+  }
+
+  static of(index: ArrayLike<number>, positions: ArrayLike<number>): TriangleTree {
+    return atOnce(TriangleTree.growing(index, positions));
+  }
+
+  static *growing(index: ArrayLike<number>, positions: ArrayLike<number>): Pieces<TriangleTree> {
+    const tree = new TriangleTree(index, positions);
+    const { length } = tree.#triangles;
+    if (length > 0) yield* tree.#build(tree.#boxes(), 0, length);
+    return tree;
   }
 
   /** The nearest triangle that the ray meets, seen from its front unless `bothSides`; nearer than `limit`. */
@@ -123,15 +136,16 @@ export class TriangleTree {
     return boxes;
   }
 
-  /** Makes the node of triangles begin..end and, after it, its children. */
-  #build(boxes: Float64Array, begin: number, end: number, depth = 0): number {
+  /** Makes the node of triangles begin..end and, after it, its children; returns the node. */
+  *#build(boxes: Float64Array, begin: number, end: number, depth = 0): Pieces<number> {
     const node = this.#nodes.add(begin, end - begin);
     const [axis, split] = this.#nodes.enclose(node, boxes, this.#triangles, begin, end);
     if (end - begin <= leafSize || depth >= deepest) return node;
     const middle = this.#partition(boxes, axis, split, begin, end);
     if (middle === begin || middle === end) return node; // all in one place
-    this.#build(boxes, begin, middle, depth + 1);
-    this.#nodes.start[node] = this.#build(boxes, middle, end, depth + 1);
+    if (end - begin > many) yield;
+    yield* this.#build(boxes, begin, middle, depth + 1);
+    this.#nodes.start[node] = yield* this.#build(boxes, middle, end, depth + 1);
     this.#nodes.count[node] = 0;
     return node;
   }

@@ -13,3 +13,24 @@ export function breaths(): () => Promise<void> | undefined {
     return breath().then(() => void (begun = performance.now()));
   };
 }
+
+/** A work that may be long, and yields between its pieces. */
+export type Pieces<T> = Generator<undefined, T>;
+
+/** Does it in short tasks. */
+export async function inTurn<T>(work: Pieces<T>): Promise<T> {
+  const rested = breaths();
+  for (;;) {
+    const { done, value } = work.next();
+    if (done) return value;
+    await rested();
+  }
+}
+
+/** Does it in one task, where its result is wanted at once. */
+export function atOnce<T>(work: Pieces<T>): T {
+  for (;;) {
+    const { done, value } = work.next();
+    if (done) return value;
+  }
+}

@@ -3,6 +3,7 @@ import { describe, expect, test } from '@jest/globals';
 import { BufferGeometry, Float32BufferAttribute, Group, Mesh } from 'three';
 import { isOutside } from '../../../../web/viewer/room/cut-away.ts';
 import { splitHungMeshes } from '../../../../web/viewer/room/hung-meshes.ts';
+import { atOnce } from '../../../../web/viewer/stage/breath.ts';
 import { hangingSides, leavesPlan, nearSide } from '../../../../web/viewer/room/standing.ts';
 import { boxes } from '../boxes.ts';
 import type { Box } from '../../../../web/viewer/eye/framing.ts';
@@ -42,7 +43,7 @@ describe('what hangs on a wall', () => {
     const geometry = new BufferGeometry().setIndex(index);
     geometry.setAttribute('position', new Float32BufferAttribute(positions, 3));
     const root = new Group().add(new Mesh(geometry));
-    const { hanging, standing } = splitHungMeshes([root.children[0] as Mesh], room);
+    const { hanging, standing } = atOnce(splitHungMeshes([root.children[0] as Mesh], room));
     expect([...hanging.values()]).toEqual([
       { axis: 2, sign: -1 },
       { axis: 0, sign: 1 },
@@ -59,7 +60,7 @@ describe('what hangs on a wall', () => {
       const geometry = new BufferGeometry().setIndex(index);
       return new Mesh(geometry.setAttribute('position', new Float32BufferAttribute(positions, 3)));
     });
-    const { standing, rugs } = splitHungMeshes(meshes, room);
+    const { standing, rugs } = atOnce(splitHungMeshes(meshes, room));
     expect([...standing]).toEqual(meshes);
     expect([...rugs]).toEqual([meshes[0]]);
   });

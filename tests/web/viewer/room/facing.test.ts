@@ -1,6 +1,7 @@
 import { describe, expect, test } from '@jest/globals';
 import { Mesh, PlaneGeometry } from 'three';
 import { betterPlace, facingOf, quadrantShares } from '../../../../web/viewer/room/facing.ts';
+import { atOnce } from '../../../../web/viewer/stage/breath.ts';
 import type { LitMesh } from '../../../../web/viewer/room/room-mesh.ts';
 
 /** A square wall whose front faces `azimuth` (0 = south, 90 = east), a floor, or a ceiling. */
@@ -14,7 +15,7 @@ function wall(surface: number, azimuth: number | 'up' | 'down'): LitMesh {
 }
 
 describe('from where surfaces are seen', () => {
-  const facing = facingOf([wall(0, 0), wall(1, 90), wall(2, 180), wall(3, 'up'), wall(4, 'down')]);
+  const facing = atOnce(facingOf([wall(0, 0), wall(1, 90), wall(2, 180), wall(3, 'up'), wall(4, 'down')]));
 
   test('in front of them', () => {
     expect(facing.get(0)).toEqual([1, 0, 0, 1, 0]); // south: from south-east and south-west

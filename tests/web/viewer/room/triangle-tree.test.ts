@@ -13,7 +13,7 @@ function* numbers(): Generator<number, never> {
 
 describe('the tree of triangles', () => {
   const sphere = new SphereGeometry(1, 48, 32);
-  const tree = new TriangleTree(sphere.index!.array, sphere.getAttribute('position').array);
+  const tree = TriangleTree.of(sphere.index!.array, sphere.getAttribute('position').array);
 
   test('finds what testing every triangle finds', () => {
     const mesh = new Mesh(sphere, new MeshBasicMaterial());
@@ -46,8 +46,8 @@ describe('the tree of triangles', () => {
   test('holds what cannot be split, and nothing', () => {
     const box = new BoxGeometry();
     const index = Array.from({ length: 20 }, () => [...box.index!.array]).flat();
-    const stacked = new TriangleTree(index, box.getAttribute('position').array);
+    const stacked = TriangleTree.of(index, box.getAttribute('position').array);
     expect(stacked.cast([0.1, 0.2, 4], [0, 0, -1])!.distance).toBeCloseTo(3.5);
-    expect(new TriangleTree([], []).cast([0, 0, 0], [0, 0, 1])).toBeNull();
+    expect(TriangleTree.of([], []).cast([0, 0, 0], [0, 0, 1])).toBeNull();
   });
 });
