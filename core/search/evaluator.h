@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/search/intentions.h"
+#include "core/search/move_rows.h"
 #include "core/search/objective.h"
 #include "core/search/plane_values.h"
 #include "core/search/variance_sums.h"
@@ -62,7 +63,9 @@ class Evaluator {
   void surveyPairs(const Move* first, const Move* second, double* worths);
 
   /// May all moves be looked at together?
-  bool mayLookAround() const { return maySurvey_ && objective_.mayLinearize(); }
+  bool mayLookAround() const {
+    return maySurvey_ && objective_.mayLinearize() && prepared_.candidateCount() >= kMoveLanes;
+  }
   /// Of all moves of `luminaires` to candidates that are not closed (kNoMove for one that is, else 0) the one
   /// that is worth most to first order (linear_worth.h), at the prices of survey(); false where all are
   /// closed. Preconditions: mayLookAround(), all luminaires of one flux.
@@ -96,10 +99,11 @@ class Evaluator {
                       Evaluation& result);
   void refresh();
   Prices surveyPrices() const;
-  void addComing(const Slope& slope, std::vector<double>& line) const;
+  void addComing(const Slope& slope, float* line) const;
   double leaving(const Slope& slope, std::uint32_t from) const;
+  MoveProduct productOf(const Slope& slope) const;
   void readLines(const std::vector<float>& closed);
-  void readWorths(std::uint32_t i, std::uint32_t first, std::uint32_t count);
+  void readLeaving(const std::vector<std::uint32_t>& luminaires);
   void momentsOfMoves(std::uint32_t i, const std::uint32_t* block, std::uint32_t count);
   const double* countedFlux(const ObjectiveSet& set) const {
     return (set.row == RowOf::kGlare ? squares_ : flux_).data();
@@ -131,9 +135,11 @@ class Evaluator {
   std::vector<double> means_, variances_;  // scratch, sets x block
   struct LookAround {
     LinearWorth worth;
-    std::vector<double> line;          // an entry a candidate, like all that follow
-    std::vector<float> lines;          // of the slopes together, then of each edge
-    std::vector<float> worths, least;  // of a luminaire's moves, and of all
+    std::vector<float> lines;  // of the slopes together, then of each edge: an entry a candidate
+    std::vector<MoveProduct> products;
+    std::vector<MoveEdge> edges;
+    std::vector<std::uint32_t> from;
+    std::vector<float> leaving;
   };
   LookAround look_;                                    // scratch of bestMove()
   std::vector<FluxChange> changes_;                    // scratch, one a site

@@ -5,12 +5,6 @@
 #include <cstddef>
 
 namespace fiatlux {
-namespace {
-
-constexpr std::uint32_t kSideBySide = 16;  // values that are compared at once
-
-}  // namespace
-
 void fillRow(const float* covariance, std::uint32_t m, const std::uint32_t* sites, const double* flux,
              std::uint32_t count, double* row) {
   for (std::uint32_t b = 0; b < m; ++b) row[b] = 0;
@@ -89,56 +83,15 @@ double changedVariance(const float* covariance, std::uint32_t m, const double* r
   return sum;
 }
 
-void startWorths(const float* line, float offset, std::uint32_t count, float* __restrict worths) {
-  for (std::uint32_t c = 0; c < count; ++c) worths[c] = line[c] + offset;
+void addToLine(Scaled<double> means, std::uint32_t count, float* __restrict line) {
+  for (std::uint32_t c = 0; c < count; ++c) line[c] += static_cast<float>(means.factor * means.row[c]);
 }
 
-void addProducts(const float* values, float factor, std::uint32_t count, float* __restrict worths) {
-  for (std::uint32_t c = 0; c < count; ++c) worths[c] += factor * values[c];
-}
-
-void addExcess(const float* line, float offset, std::uint32_t count, float* __restrict worths) {
-  for (std::uint32_t c = 0; c < count; ++c) {
-    const float beyond = line[c] + offset;
-    worths[c] += 0.5f * (std::fabs(beyond) + beyond);
-  }
-}
-
-void addExcess(const float* line, float offset, const float* values, float factor, std::uint32_t count,
-               float* __restrict worths) {
-  for (std::uint32_t c = 0; c < count; ++c) {
-    const float beyond = line[c] + offset + factor * values[c];
-    worths[c] += 0.5f * (std::fabs(beyond) + beyond);
-  }
-}
-
-void keepLess(const float* worths, std::uint32_t count, float* __restrict least) {
-  for (std::uint32_t c = 0; c < count; ++c) {
-    const float worth = worths[c], before = least[c];
-    least[c] = worth < before ? worth : before;
-  }
-}
-
-float leastOf(const float* values, std::uint32_t count) {
-  float lanes[kSideBySide];
-  for (float& lane : lanes) lane = kNoMove;
-  std::uint32_t first = 0;
-  for (; first + kSideBySide <= count; first += kSideBySide) keepLess(values + first, kSideBySide, lanes);
-  keepLess(values + first, count - first, lanes);
-  float least = kNoMove;
-  for (const float lane : lanes) least = lane < least ? lane : least;
-  return least;
-}
-
-std::uint32_t placeOf(float value, const float* values, std::uint32_t count) {
-  std::uint32_t first = 0;
-  for (; first + kSideBySide <= count; first += kSideBySide) {
-    std::uint32_t found = 0;
-    for (std::uint32_t x = 0; x < kSideBySide; ++x) found |= values[first + x] == value ? 1u : 0u;
-    if (found != 0) break;
-  }
-  while (values[first] != value) ++first;
-  return first;
+void addToLine(Scaled<double> means, Scaled<double> sums, Scaled<float> squares, std::uint32_t count,
+               float* __restrict line) {
+  for (std::uint32_t c = 0; c < count; ++c)
+    line[c] += static_cast<float>(means.factor * means.row[c] + sums.factor * sums.row[c] +
+                                  squares.factor * squares.row[c]);
 }
 
 void addLight(const float* column, const double* factor, double flux, std::uint32_t rows, double* light) {

@@ -65,27 +65,19 @@ FIATLUX_KERNEL void pairedVariances(const float* covariance, const float* diagon
 FIATLUX_KERNEL double changedVariance(const float* covariance, std::uint32_t m, const double* row,
                                       double current, const FluxChange* changes, std::uint32_t count);
 
-/// worths = line + offset.
-FIATLUX_KERNEL void startWorths(const float* line, float offset, std::uint32_t count, float* worths);
+/// A factor of each entry of a row.
+template <class Entry>
+struct Scaled {
+  const Entry* row;
+  double factor;
+};
 
-/// worths += factor values.
-FIATLUX_KERNEL void addProducts(const float* values, float factor, std::uint32_t count, float* worths);
+/// line += means.
+FIATLUX_KERNEL void addToLine(Scaled<double> means, std::uint32_t count, float* line);
 
-/// worths += what of line + offset is above 0.
-FIATLUX_KERNEL void addExcess(const float* line, float offset, std::uint32_t count, float* worths);
-
-/// worths += what of line + offset + factor values is above 0.
-FIATLUX_KERNEL void addExcess(const float* line, float offset, const float* values, float factor,
-                              std::uint32_t count, float* worths);
-
-/// least = the lesser of it and worths, entry by entry.
-FIATLUX_KERNEL void keepLess(const float* worths, std::uint32_t count, float* least);
-
-/// The least of all, or kNoMove.
-FIATLUX_KERNEL float leastOf(const float* values, std::uint32_t count);
-
-/// Where the value is for the first time. Precondition: it is there.
-FIATLUX_KERNEL std::uint32_t placeOf(float value, const float* values, std::uint32_t count);
+/// line += means + sums + squares.
+FIATLUX_KERNEL void addToLine(Scaled<double> means, Scaled<double> sums, Scaled<float> squares,
+                              std::uint32_t count, float* line);
 
 /// light += flux factor column, all of `rows` entries.
 FIATLUX_KERNEL void addLight(const float* column, const double* factor, double flux, std::uint32_t rows,

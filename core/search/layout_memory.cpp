@@ -12,20 +12,6 @@ constexpr std::uint32_t kDirectionSteps = 1001;
 
 using Numbers = std::vector<std::uint32_t>;
 
-/// Luminaires by what `key` says of each, those alike as they stood.
-template <class Key>
-Numbers orderedBy(Numbers luminaires, Key key) {
-  std::vector<std::pair<double, std::uint32_t>> order;
-  order.reserve(luminaires.size());
-  for (const std::uint32_t i : luminaires)
-    order.emplace_back(key(i), static_cast<std::uint32_t>(order.size()));
-  std::sort(order.begin(), order.end());
-  Numbers sorted;
-  sorted.reserve(order.size());
-  for (const auto& [value, at] : order) sorted.push_back(luminaires[at]);
-  return sorted;
-}
-
 /// Some way across a room. Without a sine, which machines round differently.
 Vec3 anyDirection(Random& random) {
   const auto component = [&] {
@@ -33,17 +19,6 @@ Vec3 anyDirection(Random& random) {
   };
   const double x = component(), y = component(), z = component();
   return {x, y, z};
-}
-
-/// Those luminaires whose site under `sites` none of `others` has under `otherSites`.
-Numbers elsewhere(const Numbers& luminaires, const Numbers& sites, const Numbers& others,
-                  const Numbers& otherSites) {
-  Numbers result;
-  for (const std::uint32_t i : luminaires)
-    if (std::none_of(others.begin(), others.end(),
-                     [&](std::uint32_t j) { return otherSites[j] == sites[i]; }))
-      result.push_back(i);
-  return result;
 }
 
 }  // namespace
@@ -79,44 +54,66 @@ bool LayoutMemory::offer(const Numbers& sites, const Evaluation& evaluation, std
   return true;
 }
 
-std::vector<std::uint32_t> LayoutMemory::cross(FreeSites& freeSites, Random& random) const {
+/// Luminaires by what `key` says of each, those alike as they stood.
+template <class Key>
+void LayoutMemory::orderBy(Key key, Numbers& luminaires) {
+  order_.clear();
+  for (const std::uint32_t i : luminaires)
+    order_.push_back({key(i), static_cast<std::uint32_t>(order_.size()), i});
+  std::sort(order_.begin(), order_.end(), [](const Placed& a, const Placed& b) {
+    return a.key < b.key || (a.key == b.key && a.before < b.before);
+  });
+  for (std::size_t k = 0; k < order_.size(); ++k) luminaires[k] = order_[k].luminaire;
+}
+
+/// How far a candidate's sites are that way, all together.
+double LayoutMemory::along(const Vec3& direction, std::uint32_t candidate) {
+  members_.clear();
+  prepared_.appendSites(candidate, members_);
+  double sum = 0;
+  for (const std::uint32_t site : members_) sum += dot(direction, prepared_.scene().sites[site].position);
+  return sum;
+}
+
+/// Out of `luminaires` those whose site under `sites` none of `others` has under `otherSites`.
+void LayoutMemory::takeElsewhere(const Numbers& luminaires, const Numbers& sites, const Numbers& others,
+                                 const Numbers& otherSites, Numbers& out) {
+  out.clear();
+  for (const std::uint32_t i : luminaires)
+    if (std::none_of(others.begin(), others.end(),
+                     [&](std::uint32_t j) { return otherSites[j] == sites[i]; }))
+      out.push_back(i);
+}
+
+void LayoutMemory::cross(FreeSites& freeSites, Random& random, Numbers& child) {
   assert(hasParents() && freeSites.movable().size() > 1);
   const auto count = static_cast<std::uint32_t>(kept_.size());
   const std::uint32_t first = random.below(count), second = (first + 1 + random.below(count - 1)) % count;
-  Numbers child = kept_[first].sites;
+  child = kept_[first].sites;
   const Numbers& other = kept_[second].sites;
 
   // Behind the line as many luminaires of each parent, so that their number stays.
   const Vec3 direction = anyDirection(random);
-  Numbers members;
-  const auto along = [&](std::uint32_t candidate) {
-    members.clear();
-    prepared_.appendSites(candidate, members);
-    double sum = 0;
-    for (const std::uint32_t site : members) sum += dot(direction, prepared_.scene().sites[site].position);
-    return sum;
-  };
-  const Numbers& movable = freeSites.movable();
-  const Numbers mine = orderedBy(movable, [&](std::uint32_t i) { return along(child[i]); }),
-                theirs = orderedBy(movable, [&](std::uint32_t i) { return along(other[i]); });
-  const auto cut = 1 + random.below(static_cast<std::uint32_t>(movable.size()) - 1);
-  const Numbers leaving(mine.begin() + cut, mine.end()), coming(theirs.begin() + cut, theirs.end());
+  leaving_ = coming_ = freeSites.movable();
+  orderBy([&](std::uint32_t i) { return along(direction, child[i]); }, leaving_);
+  orderBy([&](std::uint32_t i) { return along(direction, other[i]); }, coming_);
+  const auto cut = 1 + random.below(static_cast<std::uint32_t>(leaving_.size()) - 1);
+  leaving_.erase(leaving_.begin(), leaving_.begin() + cut);
+  coming_.erase(coming_.begin(), coming_.begin() + cut);
 
   // Sites that both have there keep who is on them; the others go to sites of like flux, as far as they can.
-  const auto byFlux = [&](Numbers luminaires) {
-    return isOneFlux_ ? luminaires
-                      : orderedBy(std::move(luminaires), [&](std::uint32_t i) { return flux_[i]; });
-  };
-  const Numbers movers = byFlux(elsewhere(leaving, child, coming, other)),
-                targets = byFlux(elsewhere(coming, other, leaving, child));
+  takeElsewhere(leaving_, child, coming_, other, movers_);
+  takeElsewhere(coming_, other, leaving_, child, targets_);
+  if (!isOneFlux_)
+    for (Numbers* luminaires : {&movers_, &targets_})
+      orderBy([&](std::uint32_t i) { return flux_[i]; }, *luminaires);
   freeSites.load(child);
-  for (std::size_t k = 0; k < movers.size(); ++k) {
-    const std::uint32_t from = child[movers[k]], to = other[targets[k]];
+  for (std::size_t k = 0; k < movers_.size(); ++k) {
+    const std::uint32_t from = child[movers_[k]], to = other[targets_[k]];
     if (!freeSites.mayMove(from, to)) continue;
     freeSites.relocate(from, to);
-    child[movers[k]] = to;
+    child[movers_[k]] = to;
   }
-  return child;
 }
 
 }  // namespace fiatlux

@@ -31,10 +31,10 @@ class LayoutMemory {
   /// Are there two to cross?
   bool hasParents() const { return kept_.size() > 1; }
 
-  /// A layout from two of those kept, drawn at random as the line is. Luminaires for which there is no room
-  /// under the rules stay where the first parent has them. `freeSites` follows it. Preconditions:
+  /// To `child` a layout from two of those kept, drawn at random as the line is. Luminaires for which there
+  /// is no room under the rules stay where the first parent has them. `freeSites` follows it. Preconditions:
   /// hasParents(), two luminaires that may move, candidates of one weight.
-  std::vector<std::uint32_t> cross(FreeSites& freeSites, Random& random) const;
+  void cross(FreeSites& freeSites, Random& random, std::vector<std::uint32_t>& child);
 
  private:
   struct Kept {
@@ -43,12 +43,26 @@ class LayoutMemory {
     Evaluation evaluation;
   };
 
+  struct Placed {
+    double key;
+    std::uint32_t before, luminaire;
+  };
+
   std::vector<std::uint32_t> keyOf(std::vector<std::uint32_t> sites) const;
+  template <class Key>
+  void orderBy(Key key, std::vector<std::uint32_t>& luminaires);
+  double along(const Vec3& direction, std::uint32_t candidate);
+  static void takeElsewhere(const std::vector<std::uint32_t>& luminaires,
+                            const std::vector<std::uint32_t>& sites, const std::vector<std::uint32_t>& others,
+                            const std::vector<std::uint32_t>& otherSites, std::vector<std::uint32_t>& out);
 
   const PreparedScene& prepared_;
   std::vector<double> flux_;
   bool isOneFlux_;
   std::vector<Kept> kept_;
+  // Scratch of cross(): making them anew took longer than all else.
+  std::vector<Placed> order_;
+  std::vector<std::uint32_t> members_, leaving_, coming_, movers_, targets_;
 };
 
 }  // namespace fiatlux

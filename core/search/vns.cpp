@@ -277,7 +277,10 @@ bool Vns::isCrossingWorthwhile() {
 
 /// Two good layouts put together; where trials are quick, twice, for the better of the two.
 void Vns::beginCrossing() {
-  if (!here().maySurvey()) return searchChild(memory_.cross(freeSites_, random_));
+  if (!here().maySurvey()) {
+    memory_.cross(freeSites_, random_, child_);
+    return searchChild(child_);
+  }
   choosing_ = true;
   crossed_ = 0;
   childWorth_ = kUnbounded;
@@ -287,14 +290,14 @@ void Vns::beginCrossing() {
 std::uint32_t Vns::tryCrossings(std::uint32_t limit) {
   std::uint32_t spent = 0;
   for (; crossed_ < kCrossings && spent < limit; ++crossed_, ++spent) {
-    std::vector<std::uint32_t> child = memory_.cross(freeSites_, random_);
-    if (crossed_ == 0) child_ = child;
-    if (memory_.holds(child)) continue;
-    const Evaluation evaluation = evaluator_.evaluate(child);
+    memory_.cross(freeSites_, random_, otherChild_);
+    if (crossed_ == 0) child_ = otherChild_;
+    if (memory_.holds(otherChild_)) continue;
+    const Evaluation evaluation = evaluator_.evaluate(otherChild_);
     const double worth = evaluation.goal + walk_.penalty() * evaluation.violation;
     if (!(worth < childWorth_)) continue;
     childWorth_ = worth;
-    child_ = std::move(child);
+    child_.swap(otherChild_);
   }
   work_ += spent;
   if (crossed_ == kCrossings) searchChild(child_);
@@ -324,7 +327,8 @@ void Vns::beginGatherings() {
   gathering_ = true;
   gatherings_ = 0;
   centers_ = walks_ > 1 || freeSites_.counts() ? 0 : std::min(prepared_.candidateCount(), kCenters);
-  gatheredNow_ = best_;
+  gathered_ = gatheredNow_ = best_;
+  gatheredEvaluation_ = kNothingFound;
   freeSites_.load(gatheredNow_);
 }
 
@@ -342,10 +346,7 @@ std::uint32_t Vns::tryGatherings(std::uint32_t limit) {
       freeSites_.load(gatheredNow_);
       freeSites_.gather(gatheredNow_, 2 + random_.below(2 * movable), random_);
     }
-    evaluator_.load(gatheredNow_);
-    if (gatherings_ > 0 && !isBetter(evaluator_.current(), gatheredEvaluation_)) continue;
-    gathered_ = gatheredNow_;
-    gatheredEvaluation_ = evaluator_.current();
+    if (evaluator_.tryLayout(gatheredNow_, gatheredEvaluation_)) gathered_ = gatheredNow_;
   }
   work_ += spent;
   if (gatherings_ == wanted) beginWalk(gathered_, paceOf(here()).reheat);

@@ -123,8 +123,9 @@ class Vns {
   // Crossings that are being tried, for a local search from the best of them.
   bool choosing_ = false;
   std::uint32_t crossed_ = 0;
-  std::vector<std::uint32_t> child_;  // the best so far
-  double childWorth_ = 0;             // a broken bound at its price
+  std::vector<std::uint32_t> child_;       // the best so far
+  std::vector<std::uint32_t> otherChild_;  // the one that is being tried
+  double childWorth_ = 0;                  // a broken bound at its price
 
   // Gatherings that are being tried.
   bool gathering_ = false;

@@ -52,7 +52,8 @@ TEST(LayoutMemory, ChildrenKeepTheRulesAndHaveTheirParentsSites) {
   };
   int mixed = 0;
   for (int n = 0; n < 50; ++n) {
-    const std::vector<std::uint32_t> child = memory.cross(freeSites, random);
+    std::vector<std::uint32_t> child;
+    memory.cross(freeSites, random, child);
     ASSERT_EQ(child.size(), 6u);
     EXPECT_EQ(child[2], 40u) << "pinned";
     int ofOne = 0, ofTwo = 0;
@@ -85,7 +86,8 @@ TEST(LayoutMemory, OnEitherSideOfALineAChildIsAsOneParent) {
   Random random(1);
   int halves = 0;
   for (int n = 0; n < 60; ++n) {
-    std::vector<std::uint32_t> child = memory.cross(freeSites, random);
+    std::vector<std::uint32_t> child;
+    memory.cross(freeSites, random, child);
     std::sort(child.begin(), child.end());
     for (const bool first : {true, false}) {
       const std::size_t low = first ? 0 : 2, high = first ? 2 : 0;
