@@ -18,7 +18,7 @@ constexpr std::uint32_t kFirstRoom = 4;       // layouts remembered, one more fo
 constexpr double kCrossShare = 0.3;           // of other work, that much more with each walk
 constexpr std::uint32_t kWalksFirst = 2;      // before layouts are crossed
 constexpr std::uint32_t kCrossings = 2;       // tried before a local search begins at the best of them
-constexpr std::uint32_t kTrialsOfChild = 20;  // a luminaire, by the steps of a tabu search
+constexpr std::uint32_t kTrialsOfChild = 14;  // a luminaire, by the steps of a tabu search
 constexpr std::uint32_t kMostInVain = 15;     // crossings in a row, until there is another walk
 constexpr std::uint32_t kWalksInVain = 6;     // and at least half of all, until the search starts anew
 
@@ -217,13 +217,13 @@ void Vns::leave() {
     const Neighborhood& row = neighborhoods()[next];
     if ((thorough_ || row.afterShakes) && (areDifferent_ || !row.needsDifferent)) return enter(next);
   }
-  shake();
+  shake(evaluator_.sites(), now);
 }
 
-/// After a local search: a crossing or the next walk, from the best layout, from a gathering or from
-/// anywhere.
-void Vns::shake() {
-  remember();
+/// After a local search that led to these: a crossing or the next walk, from the best layout, from a
+/// gathering or from anywhere.
+void Vns::shake(const std::vector<std::uint32_t>& sites, const Evaluation& evaluation) {
+  remember(sites, evaluation);
   if (isCrossingWorthwhile()) return beginCrossing();
   if (isStuck()) return startAnew();
   switch (++walks_ % 3) {
@@ -258,9 +258,9 @@ void Vns::startAnew() {
 }
 
 /// Takes what a local search has found, and what it cost; a crossing that found a new incumbent was free.
-void Vns::remember() {
+void Vns::remember(const std::vector<std::uint32_t>& sites, const Evaluation& evaluation) {
   if (freeSites_.counts()) return;
-  const bool isKept = memory_.offer(evaluator_.sites(), evaluator_.current(), kFirstRoom + walks_);
+  const bool isKept = memory_.offer(sites, evaluation, kFirstRoom + walks_);
   if (!crossing_) otherWork_ += work_;
   if (crossing_ && !foundSince_) crossWork_ += work_;
   inVain_ = crossing_ && !isKept ? inVain_ + 1 : 0;
@@ -391,8 +391,8 @@ void Vns::closeStep() {
 /// paired; none after a crossing, whose steps were the best of many moves.
 void Vns::endWalk() {
   if (crossing_) {
-    begin(walked_);
-    return shake();
+    enter(0);
+    return shake(walked_, walkedEvaluation_);
   }
   const bool isPaired = freeSites_.counts() || prepared_.isOfTypes();
   const std::uint64_t turn = freeSites_.movable().size() * prepared_.candidateCount();

@@ -65,8 +65,8 @@ class Vns {
   void keepBest();
   void enter(std::size_t neighborhood);
   void leave();
-  void shake();
-  void remember();
+  void shake(const std::vector<std::uint32_t>& sites, const Evaluation& evaluation);
+  void remember(const std::vector<std::uint32_t>& sites, const Evaluation& evaluation);
   bool isCrossingWorthwhile();
   void beginCrossing();
   std::uint32_t tryCrossings(std::uint32_t limit);

@@ -230,7 +230,7 @@ TEST(Vns, GoldenLayoutOfAnAimIsTheSameOnEveryMachine) {
   intentions.goals.push_back(aim);
   Vns vns(prepared, intentions, 2025);
   vns.advance(40000);  // walks, crossings, and pairs of the best sites
-  EXPECT_EQ(vns.incumbent().sites, (std::vector<std::uint32_t>{249, 87, 200, 50, 128, 165, 15}));
+  EXPECT_EQ(vns.incumbent().sites, (std::vector<std::uint32_t>{87, 50, 15, 249, 165, 200, 128}));
 }
 
 TEST(Vns, StandsStillWhenNothingCanMove) {
