@@ -60,9 +60,7 @@ void LayoutMemory::orderBy(Key key, Numbers& luminaires) {
   order_.clear();
   for (const std::uint32_t i : luminaires)
     order_.push_back({key(i), static_cast<std::uint32_t>(order_.size()), i});
-  std::sort(order_.begin(), order_.end(), [](const Placed& a, const Placed& b) {
-    return a.key < b.key || (a.key == b.key && a.before < b.before);
-  });
+  std::sort(order_.begin(), order_.end());
   for (std::size_t k = 0; k < order_.size(); ++k) luminaires[k] = order_[k].luminaire;
 }
 

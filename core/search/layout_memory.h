@@ -46,6 +46,10 @@ class LayoutMemory {
   struct Placed {
     double key;
     std::uint32_t before, luminaire;
+
+    bool operator<(const Placed& other) const {
+      return key < other.key || (key == other.key && before < other.before);
+    }
   };
 
   std::vector<std::uint32_t> keyOf(std::vector<std::uint32_t> sites) const;

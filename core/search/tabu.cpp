@@ -10,7 +10,7 @@ namespace {
 constexpr std::uint32_t kTabuLuminaires = 8;    // looked at in a step
 constexpr std::uint32_t kMostCandidates = 512;  // of more, a step lasts as long as many steps of a warm walk
 constexpr std::uint32_t kTrialsPerStep = 10;    // a step counts as so many, for as long it lasts,
-constexpr std::uint32_t kMovesPerTrial = 240;   // and as one more for so many moves
+constexpr std::uint32_t kMovesPerTrial = 200;   // and as one more for so many moves
 // A site that was left is tabu for so many steps and up to so many more, a luminaire that moved likewise.
 constexpr std::uint32_t kLeastAway = 4, kMoreAway = 6, kLeastRest = 1, kMoreRest = 3;
 
