@@ -1,4 +1,4 @@
-// One pass over the candidates; see move_rows.h.
+// One pass over the candidates, sixteen side by side; see move_rows.h.
 #include "core/search/move_rows.h"
 
 #include <algorithm>
@@ -106,9 +106,10 @@ RowMove leastMove(const MoveRows& rows, std::span<const std::uint32_t> from, con
   RowMove best;
   for (const Least& part : {low, high}) part.choose(best);
   if (!(best.worth < kNoMove)) return best;
-  while (worthOf<float>(rows, from[best.luminaire], best.candidate, leaving + best.luminaire * stride) !=
-         best.worth)
-    ++best.luminaire;
+  const auto isOf = [&](std::uint32_t i) {
+    return worthOf<float>(rows, from[i], best.candidate, leaving + i * stride) == best.worth;
+  };
+  while (best.luminaire + 1 < from.size() && !isOf(best.luminaire)) ++best.luminaire;
   return best;
 }
 

@@ -1,7 +1,7 @@
-// The best of all moves of some luminaires, in one pass over the candidates, eight at a time. What a move
-// adds to a worth is what going to its candidate adds, what leaving the other adds, and the product of the
-// two in covariances; on top of that what lies beyond edges, which are sums of the same kind. In floats: + -
-// * and comparisons only, each lane as a float is, so the same bits natively and as Wasm.
+// The best of all moves of some luminaires, in one pass over the candidates. What a move adds to a worth is
+// what going to its candidate adds, what leaving the other adds, and the product of the two in covariances;
+// on top of that what lies beyond edges, which are sums of the same kind. In floats: + - * and comparisons
+// only, each lane as a float is, so the same bits natively and as Wasm.
 #pragma once
 
 #include <cstddef>
