@@ -30,7 +30,7 @@ import { fitLegend } from './state/legend-range.ts';
 import type { Store } from './state/store.ts';
 import { Variants } from './variants.ts';
 import { words } from '../language/language.ts';
-import { surfaceText, unnamedFloor } from '../language/surface-names.ts';
+import { roomSurfaces, surfaceText, unnamedFloor } from '../language/surface-names.ts';
 import { unnamedFloorOf } from './words/provenance.ts';
 
 export interface Parts {
@@ -84,7 +84,10 @@ export class App {
     this.film = new Film(store, this.solving, this.viewer, this.variants);
     store.planSource.value = () => this.viewer.plan();
     this.#tellViewer();
-    effect(() => void (unnamedFloor.value = store.scene.value && unnamedFloorOf(store.scene.value)));
+    effect(() => {
+      unnamedFloor.value = store.scene.value && unnamedFloorOf(store.scene.value);
+      roomSurfaces.value = store.scene.value?.surfaces.map(({ name }) => name) ?? [];
+    });
     takeOwnPictures(store, this.viewer, this.own);
     this.keeping.keepSaved((room) => this.rooms.has(room) || this.own.has(room));
   }

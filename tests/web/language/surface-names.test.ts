@@ -2,7 +2,7 @@
 import { afterEach, expect, test } from '@jest/globals';
 import { namesText, placesText } from '../../../web/app/words/places.ts';
 import { speak } from '../../../web/language/language.ts';
-import { isFoundBy, surfaceText, unnamedFloor } from '../../../web/language/surface-names.ts';
+import { isFoundBy, roomSurfaces, surfaceText, unnamedFloor } from '../../../web/language/surface-names.ts';
 
 afterEach(() => speak('en'));
 
@@ -53,4 +53,28 @@ test('several surfaces are told in few words', async () => {
   expect([namesText(['desk 1', 'floor']), placesText(['desk 1'])]).toEqual(['desk 1, floor', 'desk 1']);
   await speak('de');
   expect([namesText(desks), placesText(desks)]).toEqual(['12 × Schreibtisch', 'Schreibtisch 1–12']);
+});
+
+test('of the path of a floor, a ceiling and walls as much is read as tells them from others', async () => {
+  const told = {
+    'box/cbox.Material.002/floor': 'floor',
+    'box/cbox.Material.002/wall 2': 'wall 2',
+    'box/cbox.red': 'box/cbox.red',
+    'large.box/side 1': 'large.box/side 1',
+    'house/kitchen/ceiling': 'kitchen/ceiling',
+    'house/bath/ceiling': 'bath/ceiling',
+    'house/bath/ceiling (back)': 'bath/ceiling (back)',
+  };
+  const names = Object.keys(told);
+  try {
+    roomSurfaces.value = names;
+    expect(names.map(surfaceText)).toEqual(Object.values(told));
+    expect(placesText(['box/cbox.Material.002/wall 1', 'box/cbox.Material.002/wall 2'])).toBe('wall 1–2');
+    expect(isFoundBy('material', names[0]!) && isFoundBy('floor', names[0]!)).toBe(true);
+    await speak('de');
+    expect(surfaceText(names[1]!)).toBe('Wand 2');
+  } finally {
+    roomSurfaces.value = [];
+  }
+  expect(surfaceText(names[0]!)).toBe('box/cbox.Material.002/Fußboden');
 });
