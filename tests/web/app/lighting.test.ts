@@ -178,6 +178,26 @@ describe('a model that is understood in another way', () => {
     expect(built.at(-1)?.ceiling).toBe(0);
   });
 
+  test('a made room that is edited keeps what was asked of it, once', async () => {
+    const { store, placed, room, lighting } = lightingOf(before);
+    const made = (size: number): Model => ({
+      name: 'a.glb',
+      bytes: new Uint8Array(size),
+      siblings: new Map(),
+    });
+    await lighting.light(made(4));
+    const wish = [card('mine', 'room/floor')];
+    store.edit('Change', (each) => void (each.cards = structuredClone(wish) as never));
+    store.plan.value = {} as never;
+    room.next = after;
+    lighting.expectEdited(true);
+    await lighting.light(made(5));
+    expect(placed[1]).toMatchObject({ scene: after.identity, cards: wish });
+    store.plan.value = null;
+    await lighting.light(made(6));
+    expect(placed[2]!.cards).not.toEqual(wish);
+  });
+
   test('with a plane that was drawn is lit anew, and keeps its name and what was asked', async () => {
     const { store, placed, room, models, lighting } = lightingOf(before);
     const bytes = writeGlb({ asset: { version: '2.0' }, scenes: [{ nodes: [] }] }, null);

@@ -52,6 +52,7 @@ interface Running {
   readonly turn: number; // of the openings, when it began
   readonly isAgain: boolean; // the same model as the room that was on the screen: what was asked of it stays
   readonly isTold: boolean; // the remarks on the model were read
+  readonly isEdited: boolean; // a made room that is the one on the screen, edited
 }
 
 export class Lighting {
@@ -68,6 +69,7 @@ export class Lighting {
   #modelOf: string | null = null; // the room that the model at hand is that of, as documents call it
   #choices: ModelChoices = usualChoices;
   #longer = coarser; // times as long are patches to be, where somebody asks for larger ones
+  #isEdited = false; // of the made room that comes next
 
   constructor(
     store: Store,
@@ -98,7 +100,9 @@ export class Lighting {
       turn: this.#placing.turn,
       isAgain: this.#model === model && this.#isOnScreen(),
       isTold,
+      isEdited: this.#isEdited,
     });
+    this.#isEdited = false;
     this.#store.lighting.value = begunOf(model, 'draft');
     this.#model = model;
     if (!running.isAgain) this.#modelOf = null;
@@ -153,6 +157,11 @@ export class Lighting {
       this.#fail(reasonOf(error), false);
       return 0;
     }
+  }
+
+  /** Whether the made room that comes next is the one on the screen, edited: then what was asked stays. */
+  expectEdited(isEdited: boolean): void {
+    this.#isEdited = isEdited;
   }
 
   /** A model is on its way, whose picture and light want the processor. */
@@ -288,7 +297,7 @@ export class Lighting {
     await this.#placing.attempt(words.value.opening.opening(name), async (isCurrent) => {
       const make = async (scene: SceneInfo): Promise<Placement> => {
         identity = scene.identity;
-        return running.isAgain
+        return running.isAgain || (running.isEdited && plan !== null)
           ? this.#placedAgain(room, scene)
           : this.#placementOf(name, room, scene, plan !== null);
       };
@@ -320,7 +329,7 @@ export class Lighting {
     const layout = this.#solving.layout();
     const replaced = await this.#placing.replace(file, title, (to) => {
       const view = { camera: camera.peek(), display: display.peek() };
-      return { ...carriedOver(history.peek(), layout, display.peek(), from, to), view };
+      return { ...carriedOver(history.peek(), layout, display.peek(), from, to), view, isSameRoom: true };
     });
     this.#store.lighting.value = null;
     if (!replaced) return false;
@@ -363,7 +372,7 @@ export class Lighting {
     const layout = this.#solving.layout();
     const carried = carriedOver(history.peek(), layout, display.peek(), from, scene);
     const document = { ...fitting(carried.document, scene, asked.cards), room };
-    return { ...carried, document, view: { camera: null, display: display.peek() } };
+    return { ...carried, document, view: { camera: null, display: display.peek() }, isSameRoom: true };
   }
 
   /** What a link asks of this room that waited for it, or else what is asked of any room at first. */

@@ -34,7 +34,7 @@ export const maker = {
   },
   furniture: {
     title: 'Furniture and columns',
-    add: (kind: string) => `Add a ${kind}`,
+    add: (kind: string) => `Add ${/^[aeiou]/i.test(kind) ? 'an' : 'a'} ${kind}`,
     hide: 'Hide the list',
     all: (count: number) => `All ${count} things in the room`,
     task: 'task area',

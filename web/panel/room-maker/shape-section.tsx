@@ -111,12 +111,21 @@ function SizeField() {
   const making = useMaking();
   const [text, setText] = useState('');
   const [shape, setShape] = useState<RoomPlan['outline'] | null>(null); // as it was before anything was typed
+  const typed = useRef<RoomPlan | null>(null); // the plan as it was typed
   const { field, fault, told, setFault, tell } = useSizeFault();
+  const plan = making.plan.value;
+  useEffect(() => {
+    if (typed.current === null || typed.current === plan) return;
+    typed.current = null; // taken back, or changed in another way
+    setText('');
+    setShape(null);
+    setFault(null);
+  }, [plan]);
   const example = `6 x 4 x ${shortest(2.8)}`;
-  const take = (typed: string) => {
-    setText(typed);
-    if (typed.trim() === '') return setFault(null);
-    const read = readSize(typed);
+  const take = (next: string) => {
+    setText(next);
+    if (next.trim() === '') return setFault(null);
+    const read = readSize(next);
     if (!read.size) return setFault(read.fault);
     const { width, depth, height } = read.size;
     const before = shape ?? making.plan.peek().outline;
@@ -125,6 +134,7 @@ function SizeField() {
       (plan) => ({ ...plan, outline: resized(before, [width, depth]), height }),
       'size',
     );
+    typed.current = making.plan.peek();
     setFault(isTaken ? null : 'outside');
   };
   const end = () => {

@@ -94,6 +94,7 @@ export class CameraRig {
     else if (this.#framed === 'plan') this.#apply(this.#poses.plan());
     else if (this.#framed) this.#apply(this.#poses.given(this.#framed));
     this.#project();
+    this.#unreported = true; // what is drawn over the picture follows it
   }
 
   /** Steps damping before a frame; tells the app of a new pose once the eye rests. */
