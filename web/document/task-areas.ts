@@ -91,18 +91,21 @@ interface Level {
   readonly rows: Uint32Array;
 }
 
-const knownLevels = new WeakMap<SceneInfo, readonly Level[]>();
+/** What tells which surfaces are level. */
+export type Levels = Pick<SceneInfo, 'surfaces' | 'surfaceOfPatch' | 'patchCenter' | 'patchCovered'>;
+
+const knownLevels = new WeakMap<Levels['surfaces'], readonly Level[]>();
 
 /** The leaves that are level, from the lowest up. */
-function levelsOf(scene: SceneInfo): readonly Level[] {
-  const known = knownLevels.get(scene);
+export function levelsOf(scene: Levels): readonly Level[] {
+  const known = knownLevels.get(scene.surfaces);
   if (known) return known;
   const levels = findLevels(scene);
-  knownLevels.set(scene, levels);
+  knownLevels.set(scene.surfaces, levels);
   return levels;
 }
 
-function findLevels(scene: SceneInfo): Level[] {
+function findLevels(scene: Levels): Level[] {
   const ranges = scene.surfaces.map(() => [Infinity, -Infinity] as [number, number]);
   const { surfaceOfPatch, patchCenter } = scene;
   for (let row = 0; row < surfaceOfPatch.length; row++) {

@@ -1,7 +1,7 @@
 /** What the light costs: flux, power, and both per floor area. */
 import { drawnBy } from '../../document/schedule.ts';
 import type { Layout, LuminaireType, SceneInfo } from '../../document/types.ts';
-import { floorsOf } from '../words/provenance.ts';
+import { floorsOf, type FloorTold } from '../words/provenance.ts';
 
 export interface Power {
   readonly flux: number; // lm, after dimming
@@ -22,7 +22,7 @@ export function needsEfficacy(layout: Layout, types?: readonly LuminaireType[]):
 }
 
 /** What tells how much floor there is. */
-type Floors = Pick<SceneInfo, 'surfaces' | 'surfaceOfPatch' | 'patchArea' | 'provenance'>;
+type Floors = FloorTold & Pick<SceneInfo, 'surfaceOfPatch' | 'patchArea'>;
 
 export function powerOf(
   layout: Layout,

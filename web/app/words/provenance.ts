@@ -3,6 +3,7 @@
  * is missing or of another type is left out, never guessed.
  */
 import * as v from 'valibot';
+import { levelsOf, type Levels } from '../../document/task-areas.ts';
 import type { SceneInfo } from '../../document/types.ts';
 import { percent, sentence } from './format.ts';
 import { placesText } from './places.ts';
@@ -62,18 +63,37 @@ export function roomWarnings(scene: SceneInfo): string[] {
   return [...warnings.map(inOurWords), ...losing];
 }
 
+/** What tells of a room's floor. */
+export type FloorTold = Pick<SceneInfo, 'provenance' | 'surfaces'> & Partial<Levels>;
+
+type Surface = SceneInfo['surfaces'][number];
+
+const likeAPlane = 0.6; // of its area: a smaller surface below it is none that it measures the light over
+
 /** The floor below the luminaires, where its name ("Cube/wall/top") does not say that it is one; null where it does. */
-export function unnamedFloorOf({
-  provenance,
-  surfaces,
-}: Pick<SceneInfo, 'provenance' | 'surfaces'>): string | null {
-  const { ask } = readProvenance(provenance);
+export function unnamedFloorOf(scene: FloorTold): string | null {
+  const { surfaces } = scene;
+  const { ask } = readProvenance(scene.provenance);
   const asked = surfaces.find(({ name }) => name === ask?.surface);
-  return asked && !asked.measuring && !/floor/i.test(asked.name) ? asked.name : null;
+  const floor = asked?.measuring ? floorBelow(scene, asked) : asked;
+  return floor && !/floor/i.test(floor.name) ? floor.name : null;
+}
+
+/** What a measuring plane lies over: of the level surfaces that are as large, the highest below it. */
+function floorBelow(scene: FloorTold, plane: Surface): Surface | undefined {
+  const { surfaceOfPatch, patchCenter, patchCovered } = scene;
+  if (!surfaceOfPatch || !patchCenter || !patchCovered) return undefined;
+  const levels = levelsOf({ surfaces: scene.surfaces, surfaceOfPatch, patchCenter, patchCovered });
+  const own = levels.find(({ leaf }) => scene.surfaces[leaf] === plane);
+  return levels
+    .filter(({ height }) => own !== undefined && height < own.height)
+    .map(({ leaf }) => scene.surfaces[leaf]!)
+    .filter(({ measuring, area }) => !measuring && area > likeAPlane * plane.area)
+    .at(-1);
 }
 
 /** Leaves: the floor that the pipeline has found where its name does not say so, else all that are called floor. */
-export function floorsOf(scene: Pick<SceneInfo, 'provenance' | 'surfaces'>): number[] {
+export function floorsOf(scene: FloorTold): number[] {
   const found = unnamedFloorOf(scene);
   const isFloor = (name: string) => (found === null ? /(^|\/)floor\b/i.test(name) : name === found);
   return scene.surfaces.flatMap(({ name }, leaf) => (isFloor(name) ? [leaf] : []));

@@ -51,6 +51,8 @@ export const luminaires: Words['luminaires'] = {
     of: (count, cost) => `${counted(count, 'Leuchte', 'Leuchten')}: ${cost}`,
     tip: (count, cost) => `${count}: ${cost}`,
     none: 'Keine dieser Zahlen erfüllt alle Vorgaben.',
+    noneButShown: (count) =>
+      `Keiner dieser Versuche erfüllt alle Vorgaben; die ${count}, die jetzt hängen, tun es.`,
     noBounds: 'Es gibt keine Forderung, die eine Anzahl verfehlen könnte: etwa ein Mindestmittelwert.',
     pinned: 'So, wie die Leuchten fixiert sind, hat keine andere Anzahl Platz.',
     typesLimits: 'gegen die Grenzen der Typen',

@@ -50,6 +50,7 @@ export const luminaires = {
     of: (count: number, cost: string) => `${counted(count, 'luminaire', 'luminaires')}: ${cost}`,
     tip: (count: number, cost: string) => `${count}: ${cost}`,
     none: 'None of these numbers meets every bound.',
+    noneButShown: (count: number) => `None of these trials meets every bound; the ${count} that hang now do.`,
     noBounds: 'No bound is asked for that a number could miss: a least mean, say.',
     pinned: 'As the luminaires are pinned, no other number has room.',
     typesLimits: 'against the limits of the types',

@@ -109,7 +109,15 @@ function Fewest({ comparison, take }: { comparison: Comparison; take: (count: nu
     },
     null,
   );
-  if (fewest === null || !cheapest) return <p class="field-note">{words.value.luminaires.counts.none}</p>;
+  if (fewest === null || !cheapest) {
+    const latest = store.isOfBefore.value ? null : store.shown.value;
+    const { none, noneButShown } = words.value.luminaires.counts;
+    return (
+      <p class="field-note">
+        {latest?.constraints.every(({ met }) => met) ? noneButShown(latest.layout.sites.length) : none}
+      </p>
+    );
+  }
   return (
     <div class="row">
       <button class="button small" onClick={() => take(fewest)}>

@@ -27,6 +27,27 @@ test('the floor that the pipeline has found is the floor, and others are not whe
   expect(['floor', 'working plane', 'table'].map((name) => floorArea(asked(name)))).toEqual([20, 20, 2]);
 });
 
+test('under a plane that the pipeline asks of, the floor is the highest surface that is as large', () => {
+  const surfaces = [
+    { name: 'wall/floor', area: 80, measuring: false }, // of another storey
+    { name: 'wall/top', area: 63, measuring: false },
+    { name: 'table', area: 2, measuring: false },
+    { name: 'working plane', area: 50, measuring: true },
+    { name: 'ceiling', area: 60, measuring: false },
+  ] as unknown as SceneInfo['surfaces'];
+  const building = {
+    surfaces,
+    surfaceOfPatch: Uint32Array.of(0, 1, 2, 3, 4),
+    patchArea: Float32Array.from(surfaces, ({ area }) => area),
+    patchCenter: Float32Array.from([0.5, 2.5, 3.2, 3.3, 5].flatMap((height) => [0, height, 0])),
+    patchCovered: new Uint8Array(),
+    provenance: { ask: { surface: 'working plane', mean: 300, count: 4 } },
+  };
+  expect(floorArea(building)).toBe(63);
+  const named = surfaces.map((each, leaf) => (leaf === 1 ? { ...each, name: 'floor' } : each));
+  expect(floorArea({ ...building, surfaces: named })).toBe(143); // each says that it is one
+});
+
 test('a room that names no floor has no area of it', () => {
   expect(floorArea({ ...scene, surfaces: scene.surfaces.slice(2) })).toBeNull();
 });
