@@ -55,7 +55,7 @@ test('an .obj with its .mtl is shown, its unit guessed; an .stf opens the room m
   await page.getByRole('button', { name: 'How it was understood' }).click();
   const sheet = page.getByRole('complementary', { name: 'How the model was understood' });
   await expect(sheet.getByText('4.00 × 5.00 m, 3.00 m high')).toBeVisible();
-  await expect(sheet.getByRole('checkbox', { name: 'room/ceiling' })).toBeChecked();
+  await expect(sheet.getByRole('checkbox', { name: 'ceiling' })).toBeChecked();
   await expect(sheet.getByText(/^\d+ places for luminaires$/)).toBeVisible();
   await sheet.getByLabel('From one to the next, m').fill('1');
   await sheet.getByText('Measure on a plane over the floor').click();
