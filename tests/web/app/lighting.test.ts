@@ -128,15 +128,15 @@ function lightingOf(first: SceneInfo) {
   return { store, placed, room, built, models, lighting };
 }
 
-describe('a model that is understood in another way', () => {
-  const card = (id: string, ...surfaces: string[]): Card => ({ id, surfaces, verb: 'illuminate', weight: 1 });
-  const named = (identity: string, xs: readonly number[], ...names: string[]): SceneInfo => ({
-    ...sceneWith(identity, xs),
-    surfaces: names.map((name) => ({ name, measuring: false })) as never,
-  });
-  const before = named('b'.repeat(16), [0, 1, 2], 'room/floor', 'room/ceiling', 'desk');
-  const after = named('a'.repeat(16), [0], 'room/floor', 'slab');
+const card = (id: string, ...surfaces: string[]): Card => ({ id, surfaces, verb: 'illuminate', weight: 1 });
+const named = (identity: string, xs: readonly number[], ...names: string[]): SceneInfo => ({
+  ...sceneWith(identity, xs),
+  surfaces: names.map((name) => ({ name, measuring: false })) as never,
+});
+const before = named('b'.repeat(16), [0, 1, 2], 'room/floor', 'room/ceiling', 'desk');
+const after = named('a'.repeat(16), [0], 'room/floor', 'slab');
 
+describe('a model that is understood in another way', () => {
   test('is still asked what it was asked, of surfaces that are left', () => {
     const cards = [
       card('c1', 'room/floor', 'desk'),
