@@ -8,21 +8,25 @@ export const unnamedFloor = signal<string | null>(null);
 /** Names of the surfaces of the room on the screen. */
 export const roomSurfaces = signal<readonly string[]>([]);
 
-const numbered = /^(.*\D) (\d+)$/;
+export const numbered = /^(.*\D)\s(\d+)$/; // a family and a number in it
 const role = /(^|\/)(floor|ceiling|wall)$/;
 const partOfPlane = /^(.+) (surround|background)$/;
 
 /** The surface whose other side has this name; null of a front. */
 export const frontOf = (name: string): string | null => /^(.+) \(back\)$/.exec(name)?.[1] ?? null;
 
-const familyOf = (name: string): string => numbered.exec(frontOf(name) ?? name)?.[1] ?? frontOf(name) ?? name;
+/** The name without its number and its side. */
+function stemOf(name: string): string {
+  const front = frontOf(name) ?? name;
+  return numbered.exec(front)?.[1] ?? front;
+}
 
 /**
  * What a floor, a ceiling and walls are called whose mesh and material say nothing that a person must read: of each family
  * of theirs, as much of the end of its path as no other family of the room has.
  */
 const shortFamilies = computed(() => {
-  const families = [...new Set(roomSurfaces.value.map(familyOf))];
+  const families = [...new Set(roomSurfaces.value.map(stemOf))];
   const isOnlyOne = (end: string) =>
     families.filter((each) => each === end || each.endsWith(`/${end}`)).length === 1;
   return new Map(
@@ -57,7 +61,7 @@ function ownText(name: string): string {
 }
 
 function shortened(name: string): string {
-  const family = familyOf(name);
+  const family = stemOf(name);
   return (shortFamilies.value.get(family) ?? family) + name.slice(family.length);
 }
 

@@ -190,8 +190,7 @@ describe('a model that is understood in another way', () => {
     store.edit('Change', (each) => void (each.cards = structuredClone(wish) as never));
     store.plan.value = {} as never;
     room.next = after;
-    lighting.expectEdited(true);
-    await lighting.light(made(5));
+    await lighting.light(made(5), undefined, { isEdited: true });
     expect(placed[1]).toMatchObject({ scene: after.identity, cards: wish });
     store.plan.value = null;
     await lighting.light(made(6));
@@ -372,7 +371,7 @@ test('what the sheet has told is not told once more', async () => {
   const { store, room, lighting } = lightingOf(draft);
   room.warnings = ['the room is open'];
   const model = { name: 'a.glb', bytes: new Uint8Array(4), siblings: new Map() };
-  await lighting.light(model, usualChoices, true);
+  await lighting.light(model, usualChoices, { isTold: true });
   expect(store.messages.peek()).toEqual([]);
   await lighting.light(model, usualChoices);
   expect(store.messages.peek()).toHaveLength(1);

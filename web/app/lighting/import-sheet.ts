@@ -81,7 +81,7 @@ export class ImportSheet {
   light(): void {
     const state = this.#store.sheet.peek();
     this.close();
-    if (state) void this.#lighting.light(this.#model, state.choices, state.survey !== null);
+    if (state) void this.#lighting.light(this.#model, state.choices, { isTold: state.survey !== null });
   }
 
   close(): void {

@@ -50,9 +50,15 @@ export type Shelf = Pick<OwnRooms, 'nameFor' | 'keep' | 'titleOf' | 'understood'
 interface Running {
   readonly controller: AbortController;
   readonly turn: number; // of the openings, when it began
-  readonly isAgain: boolean; // the same model as the room that was on the screen: what was asked of it stays
-  readonly isTold: boolean; // the remarks on the model were read
-  readonly isEdited: boolean; // a made room that is the one on the screen, edited
+  readonly isAgain: boolean; // the same model as the room that was on the screen, which it goes on being
+  readonly isTold: boolean;
+  readonly isEdited: boolean;
+}
+
+/** What a person has done before a model is lit. */
+interface Before {
+  readonly isTold?: boolean; // read the remarks on it
+  readonly isEdited?: boolean; // made it of the room on the screen: what was asked of that stays
 }
 
 export class Lighting {
@@ -69,7 +75,6 @@ export class Lighting {
   #modelOf: string | null = null; // the room that the model at hand is that of, as documents call it
   #choices: ModelChoices = usualChoices;
   #longer = coarser; // times as long are patches to be, where somebody asks for larger ones
-  #isEdited = false; // of the made room that comes next
 
   constructor(
     store: Store,
@@ -86,11 +91,8 @@ export class Lighting {
     this.#polishing = new Polishing(store, solving);
   }
 
-  /**
-   * Lights the model whose preview is on the screen; without choices as it was understood for the last time. `isTold`: a person
-   * has read what there is to remark on it.
-   */
-  async light(model: Model, choices?: ModelChoices, isTold = false): Promise<void> {
+  /** Lights the model whose preview is on the screen; without choices as it was understood for the last time. */
+  async light(model: Model, choices?: ModelChoices, before: Before = {}): Promise<void> {
     this.cancel();
     this.closeSheet();
     this.#forgetWarnings();
@@ -99,10 +101,9 @@ export class Lighting {
       controller: new AbortController(),
       turn: this.#placing.turn,
       isAgain: this.#model === model && this.#isOnScreen(),
-      isTold,
-      isEdited: this.#isEdited,
+      isTold: before.isTold ?? false,
+      isEdited: before.isEdited ?? false,
     });
-    this.#isEdited = false;
     this.#store.lighting.value = begunOf(model, 'draft');
     this.#model = model;
     if (!running.isAgain) this.#modelOf = null;
@@ -157,11 +158,6 @@ export class Lighting {
       this.#fail(reasonOf(error), false);
       return 0;
     }
-  }
-
-  /** Whether the made room that comes next is the one on the screen, edited: then what was asked stays. */
-  expectEdited(isEdited: boolean): void {
-    this.#isEdited = isEdited;
   }
 
   /** A model is on its way, whose picture and light want the processor. */
@@ -297,7 +293,7 @@ export class Lighting {
     await this.#placing.attempt(words.value.opening.opening(name), async (isCurrent) => {
       const make = async (scene: SceneInfo): Promise<Placement> => {
         identity = scene.identity;
-        return running.isAgain || (running.isEdited && plan !== null)
+        return running.isAgain || running.isEdited
           ? this.#placedAgain(room, scene)
           : this.#placementOf(name, room, scene, plan !== null);
       };

@@ -157,7 +157,7 @@ export class FileOpening {
     const made = await imported(files, (building, places) => this.#choosePlace(building, places));
     if (!made) return;
     if (made.note) this.#store.say('info', made.note);
-    if ('plan' in made) this.#store.making.value = { plan: made.plan };
+    if ('plan' in made) this.#store.making.value = { plan: made.plan, isOfShown: false };
     else await this.#open(made.file, []);
   }
 
@@ -225,6 +225,8 @@ export class FileOpening {
 
   /** Shows a model as it will look, and computes its light. One that is broken is not shown: what lights it says why. */
   async #light(name: string, bytes: ArrayBuffer, others: readonly File[]): Promise<void> {
+    const plan = /\.glb$/i.test(name) ? planOfGlb(bytes) : null;
+    const isEdited = plan !== null && this.#store.making.peek()?.isOfShown === true;
     this.#viewer.expectPreview();
     this.#lighting.expect();
     const siblings = new Map<string, Uint8Array<ArrayBuffer>>();
@@ -238,10 +240,10 @@ export class FileOpening {
       if (plain && isCurrent()) await this.#preview(model);
       if (!isCurrent()) return;
       this.#store.making.value = null;
-      this.#store.plan.value = /\.glb$/i.test(name) ? planOfGlb(bytes) : null;
+      this.#store.plan.value = plan;
       if (plain) this.#store.preview.value = name;
     });
-    if (isOpen) await this.#lighting.light(model);
+    if (isOpen) await this.#lighting.light(model, undefined, { isEdited });
   }
 
   /** Of a model that cannot be shown, what computes light tells better what is wrong. */

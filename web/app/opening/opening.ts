@@ -209,8 +209,8 @@ export class Opening {
     this.lighting.closeSheet();
     this.#placing.supersede();
     const isShown = this.#store.scene.peek() !== null && this.#store.preview.peek() === null;
-    this.lighting.expectEdited(isShown && plan !== null && plan === this.#store.plan.peek());
-    this.#store.making.value = { plan };
+    const isOfShown = isShown && plan !== null && plan === this.#store.plan.peek();
+    this.#store.making.value = { plan, isOfShown };
   }
 
   /** A room as it is being made, without light. */
@@ -222,7 +222,6 @@ export class Opening {
   /** Closes the room maker without a room. */
   async endMaking(): Promise<void> {
     this.#store.making.value = null;
-    this.lighting.expectEdited(false);
     await this.endPreview();
   }
 

@@ -1,8 +1,6 @@
 /** Families of numbered surfaces ("desk 1" ... "desk 12"): folded into one line wherever surfaces are listed. */
 
-import { surfaceText } from '../../language/surface-names.ts';
-
-const numbered = /^(.*\D)\s(\d+)$/;
+import { numbered, surfaceText } from '../../language/surface-names.ts';
 
 /** "desk" of "desk 7"; null where a name carries no number. */
 export function familyOf(name: string): string | null {

@@ -22,7 +22,7 @@ export function needsEfficacy(layout: Layout, types?: readonly LuminaireType[]):
 }
 
 /** What tells how much floor there is. */
-type Floors = FloorTold & Pick<SceneInfo, 'surfaceOfPatch' | 'patchArea'>;
+type Floors = FloorTold & Pick<SceneInfo, 'patchArea'>;
 
 export function powerOf(
   layout: Layout,

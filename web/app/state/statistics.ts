@@ -4,6 +4,7 @@
  */
 import type { SurfaceResult } from '../../solver/protocol.ts';
 import { countedRows } from '../../document/counted-rows.ts';
+import { joined } from '../../document/joined.ts';
 import type { Quantity, SceneInfo } from '../../document/types.ts';
 
 export interface AreaSample {
@@ -19,9 +20,7 @@ export interface AreaSample {
 /** The patches of some leaves, without those that something covers. */
 export function patchesOf(scene: SceneInfo, leaves: readonly number[]): Uint32Array {
   const parts = leaves.map((leaf) => scene.surfaces[leaf]?.part?.rows ?? countedRows(scene, leaf));
-  const patches = new Uint32Array(parts.reduce((sum, { length }) => sum + length, 0));
-  parts.reduce((at, rows) => (patches.set(rows, at), at + rows.length), 0);
-  return patches;
+  return joined(parts, Uint32Array);
 }
 
 /** The light on some patches; null where there are none. */

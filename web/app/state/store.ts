@@ -156,6 +156,12 @@ export interface Arrival {
   readonly past: History['past']; // as it was on arrival: another one means that something was done since
 }
 
+/** What the room maker is open for. */
+export interface RoomToMake {
+  readonly plan: PackedPlan | null; // null: a new room
+  readonly isOfShown: boolean; // the plan is that of the room on the screen
+}
+
 export class Store {
   readonly scene = signal<SceneInfo | null>(null);
   readonly history = signal<History>(startHistory(blank));
@@ -224,7 +230,7 @@ export class Store {
   readonly tab = signal<Tab>('intentions');
   readonly loading = signal<string | null>(null);
   readonly preview = signal<string | null>(null); // name of a .glb that is shown without light
-  readonly making = signal<{ readonly plan: PackedPlan | null } | null>(null); // the room maker is open; null: a new room
+  readonly making = signal<RoomToMake | null>(null); // the room maker is open
   readonly plan = signal<PackedPlan | null>(null); // of the room on the screen, where it was made here
   readonly lighting = signal<LightingState | null>(null); // a room whose light is being computed here
   readonly litRoom = signal<string | null>(null); // whose model is at hand

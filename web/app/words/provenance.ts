@@ -64,7 +64,7 @@ export function roomWarnings(scene: SceneInfo): string[] {
 }
 
 /** What tells of a room's floor. */
-export type FloorTold = Pick<SceneInfo, 'provenance' | 'surfaces'> & Partial<Levels>;
+export type FloorTold = Pick<SceneInfo, 'provenance'> & Levels;
 
 type Surface = SceneInfo['surfaces'][number];
 
@@ -72,22 +72,17 @@ const likeAPlane = 0.6; // of its area: a smaller surface below it is none that 
 
 /** The floor below the luminaires, where its name ("Cube/wall/top") does not say that it is one; null where it does. */
 export function unnamedFloorOf(scene: FloorTold): string | null {
-  const { surfaces } = scene;
   const { ask } = readProvenance(scene.provenance);
-  const asked = surfaces.find(({ name }) => name === ask?.surface);
+  const asked = scene.surfaces.find(({ name }) => name === ask?.surface);
   const floor = asked?.measuring ? floorBelow(scene, asked) : asked;
   return floor && !/floor/i.test(floor.name) ? floor.name : null;
 }
 
 /** What a measuring plane lies over: of the level surfaces that are as large, the highest below it. */
 function floorBelow(scene: FloorTold, plane: Surface): Surface | undefined {
-  const { surfaceOfPatch, patchCenter, patchCovered } = scene;
-  if (!surfaceOfPatch || !patchCenter || !patchCovered) return undefined;
-  const levels = levelsOf({ surfaces: scene.surfaces, surfaceOfPatch, patchCenter, patchCovered });
-  const own = levels.find(({ leaf }) => scene.surfaces[leaf] === plane);
+  const levels = levelsOf(scene).map(({ leaf }) => scene.surfaces[leaf]!);
   return levels
-    .filter(({ height }) => own !== undefined && height < own.height)
-    .map(({ leaf }) => scene.surfaces[leaf]!)
+    .slice(0, Math.max(0, levels.indexOf(plane)))
     .filter(({ measuring, area }) => !measuring && area > likeAPlane * plane.area)
     .at(-1);
 }

@@ -13,6 +13,7 @@ import {
 import type { LuminaireObject } from '../luminaires/luminaire-objects.ts';
 import type { LitMesh } from '../room/room-mesh.ts';
 import { barycentric, lightAtVertex } from '../light/probe.ts';
+import { inWorld, type InWorld } from '../room/in-world.ts';
 import { TriangleTree, type TreeHit } from '../room/triangle-tree.ts';
 import { inTurn } from '../stage/breath.ts';
 
@@ -24,10 +25,8 @@ export interface Hit {
   readonly exitance: number; // lm/m2
 }
 
-/** A mesh with its vertices in world space and the tree over its triangles; made when first needed. */
-interface Indexed {
-  readonly index: ArrayLike<number>;
-  readonly positions: ArrayLike<number>;
+/** A mesh and the tree over its triangles; made when first needed. */
+interface Indexed extends InWorld {
   readonly tree: TriangleTree;
 }
 
@@ -45,12 +44,6 @@ function boxOf({ geometry, matrixWorld }: Mesh): Box3 {
 /** Meshes that a ray may meet. */
 const onWay = (ray: Ray, room: readonly LitMesh[]) =>
   room.filter(({ mesh, measuring }) => !measuring && ray.intersectsBox(boxOf(mesh))).map(({ mesh }) => mesh);
-
-function inWorld({ geometry, matrixWorld }: Mesh): Pick<Indexed, 'index' | 'positions'> {
-  const world = geometry.getAttribute('position').clone().applyMatrix4(matrixWorld);
-  const index = geometry.index?.array ?? Uint32Array.from({ length: world.count }, (_, i) => i);
-  return { index, positions: world.array };
-}
 
 export class Picking {
   #caster = new Raycaster();

@@ -2,7 +2,8 @@
  * The room in plan, out of its display mesh: the floor is what faces up at the lowest height, its open edges are chained
  * to loops; furniture is drawn by its edges as seen from above.
  */
-import { Box3 } from 'three';
+import { Box3, type Mesh } from 'three';
+import { joined } from '../../document/joined.ts';
 import {
   inPlan,
   twiceArea,
@@ -11,6 +12,7 @@ import {
   type Point3,
   type RoomPlan,
 } from '../../document/plan-frame.ts';
+import { inWorld } from './in-world.ts';
 import type { RoomMesh } from './room-mesh.ts';
 import { surfaceEdges } from './surface-edges.ts';
 import { atOnce, type Pieces } from '../stage/breath.ts';
@@ -109,7 +111,7 @@ function furnitureOf(room: RoomMesh, frame: PlanFrame): RoomPlan['furniture'] {
   for (const { mesh, measuring } of room.lit) {
     if (measuring || !room.standing.has(mesh)) continue;
     const corners = atOnce(trianglesOf(mesh));
-    const index = Array.from({ length: corners.length / 3 }, (_, i) => i);
+    const index = Uint32Array.from({ length: corners.length / 3 }, (_, i) => i);
     for (const [a, b] of inSegments(atOnce(surfaceEdges(index, corners, crease)), frame)) {
       if (Math.hypot(b[0] - a[0], b[1] - a[1]) < shortest) continue;
       const ends = [keyOf(a), keyOf(b)].sort().join('|');
@@ -137,9 +139,7 @@ function* floorOf({ lit }: RoomMesh): Pieces<Float64Array> {
   }
   const most = Math.max(0, ...areas);
   const kept = [...floors.values()].filter((_, i) => areas[i]! > aPart * most).flat();
-  const all = new Float64Array(kept.reduce((sum, { length }) => sum + length, 0));
-  kept.reduce((at, faces) => (all.set(faces, at), at + faces.length), 0);
-  return all;
+  return joined(kept, Float64Array);
 }
 
 /** Seen from above, m2. */
@@ -153,22 +153,17 @@ function levelArea(faces: Triangles): number {
 }
 
 /** In world space; only those whose middle lies below a height, where one is given. */
-function* trianglesOf(
-  { geometry, matrixWorld }: RoomMesh['lit'][number]['mesh'],
-  below = Infinity,
-): Pieces<Triangles> {
-  const places = geometry.getAttribute('position').clone().applyMatrix4(matrixWorld).array;
-  const index = geometry.index?.array ?? null;
-  const vertices = index?.length ?? places.length / 3;
-  const corners = new Float64Array(3 * vertices);
+function* trianglesOf(mesh: Mesh, below = Infinity): Pieces<Triangles> {
+  const { index, positions } = inWorld(mesh);
+  const corners = new Float64Array(3 * index.length);
   let end = 0;
-  for (let first = 0; first + 2 < vertices; first += 3) {
+  for (let first = 0; first + 2 < index.length; first += 3) {
     if (first % portion === 0) yield;
     let heights = 0;
     for (let corner = first; corner < first + 3; corner++) {
-      const at = 3 * (index ? index[corner]! : corner);
-      for (let axis = 0; axis < 3; axis++) corners[end++] = places[at + axis]!;
-      heights += places[at + 1]!;
+      const at = 3 * index[corner]!;
+      for (let axis = 0; axis < 3; axis++) corners[end++] = positions[at + axis]!;
+      heights += positions[at + 1]!;
     }
     if (heights / 3 >= below) end -= 9;
   }

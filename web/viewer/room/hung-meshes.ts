@@ -1,6 +1,7 @@
 /** Takes a room's meshes apart where they hang on several walls, so that each part can be cut away with its wall. */
 import { BufferAttribute, BufferGeometry, Mesh, type Object3D } from 'three';
 import type { Box } from '../eye/framing.ts';
+import { inWorld } from './in-world.ts';
 import { connectedParts } from './mesh-parts.ts';
 import { hangingSides, isRoomItself, isRug, type Side } from './standing.ts';
 import type { Pieces } from '../stage/breath.ts';
@@ -29,12 +30,11 @@ function boxOf(triangles: readonly number[], index: ArrayLike<number>, positions
 }
 
 export function* partsOf(mesh: Mesh): Pieces<Part[]> {
-  const world = mesh.geometry.getAttribute('position').clone().applyMatrix4(mesh.matrixWorld);
-  const index = mesh.geometry.index?.array ?? [...Array(world.count).keys()];
+  const { index, positions } = inWorld(mesh);
   const whole = !mesh.geometry.index || index.length > 3 * splittable;
   const every = () => Array.from({ length: Math.floor(index.length / 3) }, (_, i) => 3 * i);
-  const parts = whole ? [every()] : yield* connectedParts(index, world.array);
-  return parts.map((triangles) => ({ mesh, triangles, box: boxOf(triangles, index, world.array) }));
+  const parts = whole ? [every()] : yield* connectedParts(index, positions);
+  return parts.map((triangles) => ({ mesh, triangles, box: boxOf(triangles, index, positions) }));
 }
 
 /** The triangles of `index` alone, with the vertices that they use. */

@@ -17,6 +17,7 @@ import {
 } from '../light/light-material.ts';
 import { forEachCut, type Solid } from './columns.ts';
 import { partsOf, type Part } from './hung-meshes.ts';
+import { inWorld } from './in-world.ts';
 import { atOnce } from '../stage/breath.ts';
 import type { RoomMesh } from './room-mesh.ts';
 import { carry } from './standing.ts';
@@ -179,12 +180,7 @@ export class Section {
     if (!this.#pieces) {
       this.#room!.root.traverse((mesh) => {
         if (!(mesh instanceof Mesh) || surfaces.get(mesh)?.measuring) return;
-        const position = mesh.geometry.getAttribute('position').clone().applyMatrix4(mesh.matrixWorld);
-        const index = mesh.geometry.index?.array ?? Uint32Array.from({ length: position.count }, (_, i) => i);
-        pieces.push({
-          mesh,
-          solid: { index, positions: position.array, surface: surfaces.get(mesh)?.surface ?? -1 },
-        });
+        pieces.push({ mesh, solid: { ...inWorld(mesh), surface: surfaces.get(mesh)?.surface ?? -1 } });
       });
       this.#pieces = pieces;
     }

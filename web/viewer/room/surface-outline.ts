@@ -17,6 +17,8 @@ import {
 import { LineMaterial } from 'three/examples/jsm/lines/LineMaterial.js';
 import { LineSegments2 } from 'three/examples/jsm/lines/LineSegments2.js';
 import { LineSegmentsGeometry } from 'three/examples/jsm/lines/LineSegmentsGeometry.js';
+import { joined } from '../../document/joined.ts';
+import { inWorld } from './in-world.ts';
 import { surfaceEdges } from './surface-edges.ts';
 import { overPlaneShader, type PlaneUniforms } from '../light/plane-footprints.ts';
 import type { LitMesh } from './room-mesh.ts';
@@ -26,25 +28,21 @@ const level = 0.02; // m of height that a ceiling may have
 const hand = 0.1; // m
 const crease = 35; // degrees: sharper edges inside a surface are drawn too
 
-/** Line ends of a mesh's edges, xyz each, where its `position` is. */
-function edgesOfMesh(
-  geometry: BufferGeometry,
-  position: { array: ArrayLike<number>; count: number },
-): Pieces<Float32Array> {
-  const index = geometry.index?.array ?? [...Array(position.count).keys()];
-  return surfaceEdges(index, position.array, crease);
-}
-
 /** Line ends of the edges of meshes in world space, xyz each. */
 function* edgesOf(meshes: readonly LitMesh[]): Pieces<Float32Array> {
   const parts: Float32Array[] = [];
   for (const { mesh } of meshes) {
-    const position = mesh.geometry.getAttribute('position').clone().applyMatrix4(mesh.matrixWorld);
-    parts.push(yield* edgesOfMesh(mesh.geometry, position));
+    const { index, positions } = inWorld(mesh);
+    parts.push(yield* surfaceEdges(index, positions, crease));
   }
-  const all = new Float32Array(parts.reduce((sum, part) => sum + part.length, 0));
-  parts.reduce((offset, part) => (all.set(part, offset), offset + part.length), 0);
-  return all;
+  return joined(parts, Float32Array);
+}
+
+/** The same of one mesh in its own space. */
+function edgesOfMesh({ geometry }: LitMesh['mesh']): Float32Array {
+  const position = geometry.getAttribute('position');
+  const index = geometry.index?.array ?? [...Array(position.count).keys()];
+  return atOnce(surfaceEdges(index, position.array, crease));
 }
 
 /** Meshes that close the room above: level, facing down, within a hand of its highest point. */
@@ -171,7 +169,7 @@ export class SurfaceOutlines {
     if (visible && this.#drawing.length === 0) {
       for (const { mesh, measuring } of this.#room) {
         if (measuring) continue;
-        const ends = atOnce(edgesOfMesh(mesh.geometry, mesh.geometry.getAttribute('position')));
+        const ends = edgesOfMesh(mesh);
         const geometry = new BufferGeometry().setAttribute('position', new BufferAttribute(ends, 3));
         const lines = new LineSegments(geometry, this.#thin);
         lines.renderOrder = 1;

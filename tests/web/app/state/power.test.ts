@@ -13,6 +13,8 @@ const scene = {
   ] as unknown as SceneInfo['surfaces'],
   surfaceOfPatch: Uint32Array.of(0, 0, 1, 2, 3, 4),
   patchArea: Float32Array.of(8, 8, 4, 2, 1, 9),
+  patchCenter: Float32Array.from([0, 0, 3, 0.7, 0.75, 0.8].flatMap((height) => [0, height, 0])),
+  patchCovered: new Uint8Array(),
   provenance: {},
 };
 
