@@ -11,7 +11,8 @@ namespace fiatlux {
 namespace {
 
 constexpr std::uint32_t kBlock = kSurveyStride;
-constexpr double kBeyondGoals = 1e3;  // times the goal: the price of a bound that comes first
+constexpr std::uint32_t kMostDrift = 64;  // layouts that patches are lit for step by step
+constexpr double kBeyondGoals = 1e3;      // times the goal: the price of a bound that comes first
 
 /// Candidates in the largest layout: so many may be moved.
 std::uint32_t slotsFor(const PreparedScene& prepared, const LuminaireRules& rules) {
@@ -49,6 +50,8 @@ Evaluator::Evaluator(PreparedScene& prepared, const Intentions& intentions, cons
   extremes_.resize(count);
   means_.resize(count * kBlock);
   variances_.resize(count * kBlock);
+  least_.resize(count * kBlock);
+  most_.resize(count * kBlock);
   bool isFactored = false;
   for (std::size_t s = 0; s < count; ++s) {
     const ObjectiveSet& set = objective_.sets()[s];
@@ -144,16 +147,31 @@ void Evaluator::addChange(std::uint32_t candidate, double flux) {
   for (const std::uint32_t site : memberSites_) changes_.push_back({site, flux});
 }
 
+/// Changes of candidates as those of their sites: `changes_`, of which it tells the number.
+std::uint32_t Evaluator::resolve(const FluxChange* changes, std::uint32_t count) {
+  changes_.clear();
+  for (std::uint32_t k = 0; k < count; ++k) addChange(changes[k].site, changes[k].flux);
+  return static_cast<std::uint32_t>(changes_.size());
+}
+
 void Evaluator::load(const std::vector<std::uint32_t>& sites) {
   assert(sites.size() <= flux_.size());
   sites_ = sites;
   const auto count = static_cast<std::uint32_t>(sites_.size());
   for (std::optional<VarianceSums>& sums : sums_)
     if (sums) sums->load(sites_.data(), flux_.data(), count);
+  lightPatches();
   refresh();
 }
 
-/// Moments, extremes and evaluation of the layout it stands at, from its rows.
+/// Of the layout it stands at.
+void Evaluator::lightPatches() {
+  for (std::optional<PatchExtremes>& patches : patches_)
+    if (patches) light(*patches, sites_);
+  appliedSince_ = 0;
+}
+
+/// Moments, extremes and evaluation of the layout it stands at, from its rows and the light of its patches.
 void Evaluator::refresh() {
   const auto count = static_cast<std::uint32_t>(sites_.size());
   for (std::size_t s = 0; s < moments_.size(); ++s) {
@@ -164,9 +182,7 @@ void Evaluator::refresh() {
       light(*points_[s], sites_);
       take(points_[s]->current(), moments_[s], extremes_[s]);
     }
-    if (!set.needsExtremes) continue;
-    light(*patches_[s], sites_);
-    extremes_[s] = patches_[s]->current();
+    if (patches_[s]) extremes_[s] = patches_[s]->current();
   }
   current_ = objective_.judge(moments_.data(), extremes_.data());
 }
@@ -185,18 +201,13 @@ bool Evaluator::settleExtremes(const FluxChange* changes, std::uint32_t count, c
     result = objective_.judge(trialMoments_.data(), trialExtremes_.data());
     return prefers(result, toBeat);
   };
-  const auto resolve = [&] {
-    changes_.clear();
-    for (std::uint32_t k = 0; k < count; ++k) addChange(changes[k].site, changes[k].flux);
-    return static_cast<std::uint32_t>(changes_.size());
-  };
   if (hasPoints_) {
-    const std::uint32_t n = resolve();
+    const std::uint32_t n = resolve(changes, count);
     for (std::size_t s = 0; s < points_.size(); ++s)
       if (points_[s]) take(points_[s]->changed(changes_.data(), n), trialMoments_[s], trialExtremes_[s]);
   }
   if (!judgeWith([&](std::size_t s) { return Objective::allowedBy(trialMoments_[s]); })) return false;
-  const std::uint32_t n = resolve();
+  const std::uint32_t n = resolve(changes, count);
   return judgeWith([&](std::size_t s) { return patches_[s]->hoped(changes_.data(), n); }) &&
          judgeWith([&](std::size_t s) { return patches_[s]->changed(changes_.data(), n); });
 }
@@ -220,9 +231,45 @@ Prices Evaluator::surveyPrices() const {
                              : Prices{kBeyondGoals * (1 + std::fabs(current_.goal)), prices_.aimShare};
 }
 
+SurveyedLayouts Evaluator::surveyed() {
+  return {means_.data(), variances_.data(), least_.data(), most_.data()};
+}
+
+/// What patches say at best, and points exactly, of layout k of a survey.
+void Evaluator::hopeFor(std::uint32_t k, const FluxChange* changes, std::uint32_t count) {
+  const std::uint32_t n = resolve(changes, count);
+  for (std::size_t s = 0, at = k; s < moments_.size(); ++s, at += kSurveyStride) {
+    if (points_[s]) {
+      const MeanAndLeast points = points_[s]->changed(changes_.data(), n);
+      means_[at] = points.mean;
+      least_[at] = points.least;
+    } else if (patches_[s]) {
+      const Extremes hoped = patches_[s]->hoped(changes_.data(), n);
+      least_[at] = hoped.minimumLow;
+      most_[at] = hoped.maximumHigh;
+    }
+  }
+}
+
+/// The same of all that are surveyed for one luminaire.
+void Evaluator::hopeForMoves(std::uint32_t i, const std::uint32_t* candidates) {
+  if (!objective_.needsExtremes()) return;
+  if (!hasPoints_ && !prepared_.isTied()) {
+    for (std::size_t s = 0, at = 0; s < moments_.size(); ++s, at += kSurveyStride)
+      if (patches_[s])
+        patches_[s]->hopedOfMoves(sites_[i], flux_[i], candidates, kSurveyed, &least_[at], &most_[at]);
+    return;
+  }
+  for (std::uint32_t k = 0; k < kSurveyed; ++k) {
+    const FluxChange changes[2] = {{sites_[i], -flux_[i]}, {candidates[k], flux_[i]}};
+    hopeFor(k, changes, 2);
+  }
+}
+
 void Evaluator::survey(std::uint32_t i, const std::uint32_t* candidates, double* worths) {
   momentsOfMoves(i, candidates, kSurveyed);
-  objective_.survey(means_.data(), variances_.data(), surveyPrices(), worths);
+  hopeForMoves(i, candidates);
+  objective_.survey(surveyed(), surveyPrices(), worths);
 }
 
 void Evaluator::surveyPairs(const Move* first, const Move* second, double* worths) {
@@ -242,7 +289,15 @@ void Evaluator::surveyPairs(const Move* first, const Move* second, double* worth
     if (sums_[s])
       sums_[s]->movedPairs(moments_[s].variance, moves, others, kSurveyed, variances_.data() + s * kBlock);
   }
-  objective_.survey(means_.data(), variances_.data(), surveyPrices(), worths);
+  if (objective_.needsExtremes())
+    for (std::uint32_t k = 0; k < kSurveyed; ++k) {
+      const FluxChange changes[4] = {{from[0][k], -flux[0][k]},
+                                     {to[0][k], flux[0][k]},
+                                     {from[1][k], -flux[1][k]},
+                                     {to[1][k], flux[1][k]}};
+      hopeFor(k, changes, 4);
+    }
+  objective_.survey(surveyed(), surveyPrices(), worths);
 }
 
 void Evaluator::tryMoves(std::uint32_t i, const std::uint32_t* candidates, std::uint32_t count, Trial& best) {
@@ -306,12 +361,19 @@ void Evaluator::tryPair(const Move& a, const Move& b, Trial& best) {
 }
 
 void Evaluator::apply(const Trial& trial) {
+  FluxChange changes[4];
+  const std::uint32_t n = resolve(changes, changesOf(trial, changes));
   for (std::uint32_t k = 0; k < trial.count; ++k) {
     const auto [i, to] = trial.moves[k];
     for (std::optional<VarianceSums>& sums : sums_)
       if (sums) sums->move(sites_[i], to, flux_[i]);
     sites_[i] = to;
   }
+  if (++appliedSince_ == kMostDrift)
+    lightPatches();
+  else
+    for (std::optional<PatchExtremes>& patches : patches_)
+      if (patches) patches->apply(changes_.data(), n);
   refresh();
 #ifdef FIATLUX_CHECK_DELTA
   assert(isExact(trial));

@@ -57,7 +57,8 @@ class Evaluator {
   /// May moves be surveyed? (objective.h)
   bool maySurvey() const { return maySurvey_; }
   /// What luminaire `i` on each of kSurveyed candidates would be worth, bounds at the penalty, or without one
-  /// at a price that no goal pays; the one that it is on may be among them. Precondition: maySurvey().
+  /// at a price that no goal pays; the one that it is on may be among them. Of bounds on extremes what the
+  /// patches that were extreme lately say: the truth may be worse. Precondition: maySurvey().
   void survey(std::uint32_t i, const std::uint32_t* candidates, double* worths);
   /// What kSurveyed pairs of moves would be worth, first[k] and second[k] made at once. As survey().
   void surveyPairs(const Move* first, const Move* second, double* worths);
@@ -97,6 +98,7 @@ class Evaluator {
   void momentsAfter(const FluxChange* changes, std::uint32_t count);
   bool settleExtremes(const FluxChange* changes, std::uint32_t count, const Evaluation& toBeat,
                       Evaluation& result);
+  void lightPatches();
   void refresh();
   Prices surveyPrices() const;
   void addComing(const Slope& slope, float* line) const;
@@ -104,6 +106,9 @@ class Evaluator {
   MoveProduct productOf(const Slope& slope) const;
   void readLines(const std::vector<float>& closed);
   void readLeaving(const std::vector<std::uint32_t>& luminaires);
+  SurveyedLayouts surveyed();
+  void hopeFor(std::uint32_t k, const FluxChange* changes, std::uint32_t count);
+  void hopeForMoves(std::uint32_t i, const std::uint32_t* candidates);
   void momentsOfMoves(std::uint32_t i, const std::uint32_t* block, std::uint32_t count);
   const double* countedFlux(const ObjectiveSet& set) const {
     return (set.row == RowOf::kGlare ? squares_ : flux_).data();
@@ -114,6 +119,7 @@ class Evaluator {
   static void take(const MeanAndLeast& points, Moments& moments, Extremes& extremes);
   void readPoints(const std::vector<std::uint32_t>& sites);
   void addChange(std::uint32_t candidate, double flux);
+  std::uint32_t resolve(const FluxChange* changes, std::uint32_t count);
   bool isExact(const Trial& trial);
   bool prefers(const Evaluation& a, const Evaluation& b) const;
 
@@ -129,10 +135,12 @@ class Evaluator {
   std::vector<std::optional<PatchExtremes>> patches_;  // of each set that needs extremes
   std::vector<std::optional<PlaneValues>> points_;     // of each set that needs each point of planes
   bool hasPoints_ = false, maySurvey_ = false;
+  std::uint32_t appliedSince_ = 0;         // layouts since all patches were lit
   std::vector<Extremes> extremes_;         // where it stands, of each set that needs them
   std::vector<Moments> trialMoments_;      // scratch, one per set
   std::vector<Extremes> trialExtremes_;    // scratch, one per set
   std::vector<double> means_, variances_;  // scratch, sets x block
+  std::vector<double> least_, most_;       // likewise, of what a survey hopes for
   struct LookAround {
     LinearWorth worth;
     std::vector<float> lines;  // of the slopes together, then of each edge: an entry a candidate

@@ -56,6 +56,13 @@ struct Prices {
 inline constexpr std::uint32_t kSurveyed = 20, kSurveyStride = 64;
 /// Trials that a survey counts for, as long as it takes.
 inline constexpr std::uint32_t kTrialsPerSurvey = 5;
+/// What is known of kSurveyed layouts, by sets, kSurveyStride entries from one to the next. `least` and
+/// `most` of sets that need extremes only: no less and no more than these is hoped for
+/// (PatchExtremes::hoped).
+struct SurveyedLayouts {
+  double *means, *variances;  // variances become sigmas
+  const double *least, *most;
+};
 /// Surveys of so many layouts.
 inline std::uint32_t surveysOf(std::size_t layouts) {
   return static_cast<std::uint32_t>((layouts + kSurveyed - 1) / kSurveyed);
@@ -79,17 +86,19 @@ class Objective {
   /// result is a bound: no layout with these moments is better.
   Evaluation judge(const Moments* moments, const Extremes* extremes) const;
 
-  /// May trials be surveyed? Where all goals and bounds are of means and sigmas.
+  /// May trials be surveyed? Where all goals are of means and sigmas, and all bounds, or of extremes that are
+  /// not to be too small or too large.
   bool maySurvey() const { return maySurvey_; }
 
   /// What kSurveyed layouts are worth at such prices: goal, violation and aims as of judge(), all at
-  /// once and in a fraction of the time. Their moments stand by sets, kSurveyStride entries from one to the
-  /// next; of the variances it makes sigmas. Where no dimming meets all bounds it takes an end of the range,
-  /// not the best t. Precondition: maySurvey().
-  void survey(const double* means, double* variances, const Prices& prices, double* worths) const;
+  /// once and in a fraction of the time. Where no dimming meets all bounds it takes an end of the range, not
+  /// the best t. Precondition: maySurvey().
+  void survey(const SurveyedLayouts& layouts, const Prices& prices, double* worths) const;
 
   /// May their worth be told to first order? Where an aim holds the dimming it would be told too badly.
-  bool mayLinearize() const { return maySurvey_ && !(hasAims_ && dimmingLow_ < dimmingHigh_); }
+  bool mayLinearize() const {
+    return maySurvey_ && !needsExtremes_ && !(hasAims_ && dimmingLow_ < dimmingHigh_);
+  }
   /// The worth about a layout of these moments, which is dimmed so, at such prices. Precondition:
   /// mayLinearize().
   void linearize(const Moments* moments, double dimming, const Prices& prices, LinearWorth& worth) const;
@@ -138,11 +147,11 @@ class Objective {
   double boundedValue(const Bound& bound, const Moments* moments, const Extremes* extremes) const;
   double glareOf(const Bound& bound, const Moments* moments) const;
   bool isSurveyable() const;
-  const double* valuesOf(const Term& term, const double* means, const double* sigmas) const;
-  void surveyGoals(const double* means, const double* sigmas, const double* slopes, const double* dimmings,
+  const double* valuesOf(const Term& term, const SurveyedLayouts& layouts) const;
+  void surveyGoals(const SurveyedLayouts& layouts, const double* slopes, const double* dimmings,
                    double aimShare, double* worths) const;
-  void surveyDimming(const double* means, const double* sigmas, const double* slopes, double* dimmings) const;
-  void surveyBound(const Bound& bound, const double* means, const double* sigmas, double* values) const;
+  void surveyDimming(const SurveyedLayouts& layouts, const double* slopes, double* dimmings) const;
+  void surveyBound(const Bound& bound, const SurveyedLayouts& layouts, double* values) const;
   double termValue(const Term& term, const Moments* moments, const Extremes* extremes) const;
 
   /// Of the luminaires at full flux: lm, or W of types.

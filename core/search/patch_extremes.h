@@ -19,6 +19,10 @@ class PatchExtremes {
   /// Sets the layout that `changed` starts from; O(patches x count).
   void load(const std::uint32_t* sites, const double* flux, std::uint32_t count);
 
+  /// Makes a change of the loaded layout for good, O(patches x count): after many the sums have drifted by
+  /// their rounding, and should be loaded anew.
+  void apply(const FluxChange* changes, std::uint32_t count);
+
   /// Extremes of the loaded layout at full flux (t = 1), O(patches).
   Extremes current() { return changed(nullptr, 0); }
 
@@ -30,6 +34,11 @@ class PatchExtremes {
   /// infinity.
   Extremes hoped(const FluxChange* changes, std::uint32_t count) const;
 
+  /// The same of a change to each of `count` sites, by `flux` there and -flux at `from`: `least` and `most`
+  /// of each.
+  void hopedOfMoves(std::uint32_t from, double flux, const std::uint32_t* sites, std::uint32_t count,
+                    double* least, double* most) const;
+
  private:
   struct Row {
     std::uint32_t index, surface;  // into the responses' rows, into `leaves_`
@@ -40,18 +49,29 @@ class PatchExtremes {
     double errorBound;  // share of the leaf's mean illuminance
   };
 
+  void add(std::uint32_t site, double lumens);
+  /// Patches that were extreme lately, the latest first, on the side where margins count `sign`.
+  struct Witnesses {
+    double sign;
+    std::vector<std::uint32_t> patches;    // into rows_
+    std::vector<std::vector<double>> lit;  // what each site does there, of those of rows_ that it is made of
+    std::size_t made = 0;                  // of `lit`
+  };
+
+  double standingAt(const Witnesses& witnesses, std::uint32_t k) const;
   double lightAfter(std::size_t k, const FluxChange* changes, std::uint32_t count) const;
   double leafMean(std::uint32_t leaf, const FluxChange* changes, std::uint32_t count) const;
-  void remember(std::vector<std::uint32_t>& witnesses, std::uint32_t k);
+  void remember(Witnesses& witnesses, std::uint32_t k);
+  void makeRow(Witnesses& witnesses, std::uint32_t k);
 
   const Responses& responses_;
   const std::vector<SurfaceStatistics>& means_;  // of the leaves, of what the responses are
   std::vector<Row> rows_;
   std::vector<Leaf> leaves_;
-  std::vector<float> light_;      // illuminance of each of rows_ under the loaded layout, lx at t = 1
+  std::vector<double> light_;     // illuminance of each of rows_ under the loaded layout, lx at t = 1
   std::vector<double> leafMean_;  // of each leaf under the loaded layout, lx
   std::vector<double> margin_;    // scratch: errorBound x mean of each leaf after the change
-  std::vector<std::uint32_t> dark_, bright_;  // witnesses, latest first
+  Witnesses dark_{-1, {}, {}}, bright_{1, {}, {}};
 };
 
 /// Extremes of a surface set under a layout, dimmed, in the unit of `quantity`. O(patches x luminaires).

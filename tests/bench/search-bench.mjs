@@ -204,9 +204,9 @@ worst one of 8 % after 25,000 evaluations, a mean of 0.3 % after 250,000, and 0.
 that is bold.
 The family of true uniformity, which lights thousands of patches a trial, has ${slow.seeds} seeds at ${slow.evaluations.toLocaleString('en')} evaluations.
 
-An evaluation is one trial layout. A survey of twenty sites for a luminaire, of means and sigmas only
-(\`core/search/survey.cpp\`), takes as long as five and counts as five; so does one of twenty pairs of moves. A
-look at all moves of eight luminaires (\`core/search/best_move.cpp\`) counts as 15 in the gallery, as 20 in the office.
+An evaluation is one trial layout. A survey of twenty sites for a luminaire (\`core/search/survey.cpp\`) takes
+as long as five and counts as five; so does one of twenty pairs of moves. Of true extremes it reads only what the patches
+say that were extreme lately. A look at all moves of eight luminaires (\`core/search/best_move.cpp\`) counts as 15 in the gallery, as 20 in the office.
 
 The gallery is the hardest: its pictures hang on all walls, every luminaire lights several of them, and very many layouts that are
 nothing alike are better than all that is one or two moves away from them. There a gap falls with the logarithm of the

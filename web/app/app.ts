@@ -144,7 +144,7 @@ export class App {
   setMode(mode: Display['mode']): void {
     this.setDisplay({ mode });
     const shown = this.store.shown.peek();
-    if (mode === 'falseColor' && shown && !this.store.legendLocked.peek()) fitLegend(this.store, shown);
+    if (mode === 'falseColor' && shown) fitLegend(this.store, shown);
   }
 
   setDisplay(change: Partial<Display>): void {
@@ -168,7 +168,7 @@ export class App {
   setScale(change: Pick<Partial<Display>, 'steps' | 'logarithmic'>): void {
     this.setDisplay(change);
     const shown = this.store.shown.peek();
-    if (shown && !this.store.legendLocked.peek()) fitLegend(this.store, shown);
+    if (shown) fitLegend(this.store, shown);
   }
 
   /** Keeps the exposure as it is now, or lets it follow the light again. */

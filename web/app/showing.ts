@@ -45,10 +45,9 @@ export class Showing {
     this.#held = shown.layout;
     this.#light(shown);
     this.#later(() => {
-      const { display, legendLocked } = this.#store;
       this.#store.shown.value = shown;
       this.#store.progress.value = progress;
-      if (display.peek().mode === 'falseColor' && !legendLocked.peek()) fitLegend(this.#store, shown);
+      if (this.#store.display.peek().mode === 'falseColor') fitLegend(this.#store, shown);
       told(shown);
     });
   }

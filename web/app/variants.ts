@@ -156,9 +156,8 @@ export class Variants {
       if (turn !== this.#turn) return;
       this.#holdExposure();
       this.#store.other.value = { ...seen, layout };
-      const { display, legendLocked, shown } = this.#store;
-      if (display.peek().mode === 'falseColor' && !legendLocked.peek())
-        fitLegend(this.#store, shown.peek() ?? seen);
+      const { display, shown } = this.#store;
+      if (display.peek().mode === 'falseColor') fitLegend(this.#store, shown.peek() ?? seen);
     } catch (error) {
       if (turn !== this.#turn) return;
       this.close();

@@ -242,6 +242,7 @@ export const displaySchema: v.GenericSchema<unknown, Display> = v.object({
   steps: whole(0, 64),
   logarithmic: v.boolean(),
   range: v.tuple([lux, lux]),
+  rangeFollows: v.exactOptional(v.boolean()),
   isolux: v.boolean(),
   quantity: quantitySchema,
   cutAway: v.boolean(),

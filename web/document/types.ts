@@ -276,6 +276,7 @@ export interface Display {
   readonly steps: number; // 0 = continuous
   readonly logarithmic: boolean;
   readonly range: readonly [number, number]; // lx, ends of the legend
+  readonly rangeFollows?: boolean; // the ends follow the light that is shown; absent = they are locked
   readonly isolux: boolean;
   readonly quantity: Quantity;
   readonly cutAway: boolean; // do not draw walls between the eye and the room

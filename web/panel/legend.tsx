@@ -53,12 +53,11 @@ export function Legend({ lookOnly }: { readonly lookOnly: boolean }) {
 function Ends({ unit }: { readonly unit: string }) {
   const app = useApp();
   const { store } = app;
-  const isLocked = store.legendLocked.value;
-  const [low, high] = store.display.value.range;
-  const setEnd = (range: readonly [number, number]) => {
-    store.legendLocked.value = true;
-    app.setDisplay({ range });
-  };
+  const {
+    range: [low, high],
+    rangeFollows = false,
+  } = store.display.value;
+  const setEnd = (range: readonly [number, number]) => app.setDisplay({ range, rangeFollows: false });
   const step = niceStep(Math.max(high - low, 1)) * 5;
   return (
     <div class="legend-ends">
@@ -79,12 +78,12 @@ function Ends({ unit }: { readonly unit: string }) {
       />
       <button
         class="icon-button small"
-        aria-pressed={isLocked}
-        aria-label={isLocked ? words.value.bars.legend.unlock : words.value.bars.legend.lock}
-        title={isLocked ? words.value.bars.legend.locked : words.value.bars.legend.follows}
-        onClick={() => (store.legendLocked.value = !isLocked)}
+        aria-pressed={!rangeFollows}
+        aria-label={rangeFollows ? words.value.bars.legend.lock : words.value.bars.legend.unlock}
+        title={rangeFollows ? words.value.bars.legend.follows : words.value.bars.legend.locked}
+        onClick={() => app.setDisplay({ rangeFollows: !rangeFollows })}
       >
-        {isLocked ? <Lock size={14} aria-hidden /> : <LockOpen size={14} aria-hidden />}
+        {rangeFollows ? <LockOpen size={14} aria-hidden /> : <Lock size={14} aria-hidden />}
       </button>
     </div>
   );

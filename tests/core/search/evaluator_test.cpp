@@ -152,5 +152,45 @@ TEST(Evaluator, TrueExtremesEqualThoseOfThePatchesLessTheMargin) {
   EXPECT_LE(extremes.hoped(changes, 2).maximumHigh, moved.maximumHigh + 1e-9);
 }
 
+TEST(Evaluator, ExtremesOfAChangeMadeForGoodAreThoseOfTheLayoutThatItLeadsTo) {
+  Scene scene = smallRoom();
+  scene.errorBound.assign(4, 0.01f);
+  PatchExtremes changed(scene, Quantity::kExitance, {1, 2}), loaded(scene, Quantity::kExitance, {1, 2});
+  const std::vector<double> flux = {1000, 1500, 1000};
+  const std::vector<std::uint32_t> before = {3, 11, 17}, after = {3, 5, 17};
+  changed.load(before.data(), flux.data(), 3);
+  const FluxChange changes[2] = {{11, -1500}, {5, 1500}};
+  changed.apply(changes, 2);
+  loaded.load(after.data(), flux.data(), 3);
+  const Extremes is = changed.current(), wanted = loaded.current();
+  EXPECT_NEAR(is.minimumLow, wanted.minimumLow, 1e-9);
+  EXPECT_NEAR(is.minimumHigh, wanted.minimumHigh, 1e-9);
+  EXPECT_NEAR(is.maximumLow, wanted.maximumLow, 1e-9);
+  EXPECT_NEAR(is.maximumHigh, wanted.maximumHigh, 1e-9);
+}
+
+TEST(Evaluator, WhatManyMovesHopeForIsWhatEachOfThemDoes) {
+  Scene scene = smallRoom();
+  scene.errorBound.assign(4, 0.01f);
+  PatchExtremes extremes(scene, Quantity::kExitance, {1, 2, 3});
+  const std::vector<std::uint32_t> sites = {3, 11, 17}, to = {0, 5, 11, 20};
+  const std::vector<double> flux = {1000, 1500, 1000};
+  extremes.load(sites.data(), flux.data(), 3);
+  for (std::uint32_t site = 0; site < 24; ++site) {  // so that there are several witnesses
+    const FluxChange changes[2] = {{17, -1000}, {site, 1000}};
+    extremes.changed(changes, 2);
+  }
+  double least[4], most[4];
+  extremes.hopedOfMoves(11, 1500, to.data(), 4, least, most);
+  for (std::size_t k = 0; k < to.size(); ++k) {
+    const FluxChange changes[2] = {{11, -1500}, {to[k], 1500}};
+    const Extremes hoped = extremes.hoped(changes, 2), is = extremes.changed(changes, 2);
+    EXPECT_NEAR(least[k], hoped.minimumLow, 1e-9);
+    EXPECT_NEAR(most[k], hoped.maximumHigh, 1e-9);
+    EXPECT_GE(least[k], is.minimumLow - 1e-9);
+    EXPECT_LE(most[k], is.maximumHigh + 1e-9);
+  }
+}
+
 }  // namespace
 }  // namespace fiatlux

@@ -133,12 +133,58 @@ TEST(Survey, OfPairsSaysWhatTrialsSay) {
   }
 }
 
-TEST(Survey, IsOfMeansAndSigmasOnly) {
+/// Bounds of true extremes that layouts are near to, beside those of asked().
+Intentions withExtremes() {
+  Intentions intentions = asked();
+  intentions.constraints.push_back({Statistic::kMinimum, 6, kUnbounded, 1, {2}, {}});
+  intentions.constraints.push_back({Statistic::kMaximum, -kUnbounded, 60, 1, {0}, {}});
+  intentions.constraints.push_back({Statistic::kUniformity, 0.4, kUnbounded, 1, {1, 2}, {}});
+  return intentions;
+}
+
+TEST(Survey, HopesForExtremesThatAreNoWorseThanTheyAreAndOftenTheSame) {
+  PreparedScene prepared(longCorridor());
+  const Intentions intentions = withExtremes();
+  Evaluator evaluator(prepared, intentions);
+  ASSERT_TRUE(evaluator.maySurvey());
+  const Prices prices{kPenalty, 1};
+  evaluator.setPrices(prices);
+  Random random(5);
+  std::uint32_t exact = 0, all = 0;
+  for (int round = 0; round < 40; ++round) {
+    evaluator.load(randomSites(prepared, intentions.luminaires, random));
+    const std::uint32_t luminaire = random.below(6);
+    std::uint32_t candidates[kSurveyed] = {evaluator.sites()[luminaire]};
+    for (std::uint32_t k = 1; k < kSurveyed; ++k) candidates[k] = random.below(prepared.candidateCount());
+    double worths[kSurveyed];
+    evaluator.survey(luminaire, candidates, worths);
+    EXPECT_NEAR(worths[0], prices.worthOf(evaluator.current()), 1e-9 * worths[0]) << "it stands there";
+    for (std::uint32_t k = 0; k < kSurveyed; ++k) {
+      std::vector<std::uint32_t> sites = evaluator.sites();
+      sites[luminaire] = candidates[k];
+      const double worth = prices.worthOf(evaluator.evaluate(sites));
+      EXPECT_LE(worths[k], worth + 1e-9 * std::fabs(worth));
+      exact += worths[k] > worth - 1e-6 * std::fabs(worth);
+      ++all;
+    }
+  }
+  EXPECT_GT(exact, all / 3);
+}
+
+TEST(Survey, KnowsOfExtremesThatMayNotBeTooSmallOrTooLarge) {
+  PreparedScene prepared(longCorridor());
+  Intentions intentions = withExtremes();
+  EXPECT_TRUE(Evaluator(prepared, intentions).maySurvey());
+  intentions.constraints[3].upper = 30;
+  EXPECT_FALSE(Evaluator(prepared, intentions).maySurvey()) << "a minimum that may not be too large";
+  intentions.constraints.resize(3);
+  intentions.constraints.push_back({Statistic::kContrast, 1, kUnbounded, 1, {2}, {1}});
+  EXPECT_FALSE(Evaluator(prepared, intentions).maySurvey());
+}
+
+TEST(Survey, IsOfBoundsThatAreNotZeroAndOfCovariances) {
   PreparedScene prepared(longCorridor());
   Intentions intentions = asked();
-  intentions.constraints.push_back({Statistic::kMinimum, 1, kUnbounded, 1, {2}, {}});
-  EXPECT_FALSE(Evaluator(prepared, intentions).maySurvey()) << "patches have to be lit";
-  intentions = asked();
   intentions.constraints[0].lower = 0;
   EXPECT_FALSE(Evaluator(prepared, intentions).maySurvey()) << "an excess over 0 is not relative to it";
   PreparedScene halls(longCorridor(), VarianceForm::kFactor);

@@ -79,9 +79,9 @@ export class Embedding {
   #display(change: Readonly<Record<string, unknown>>): string | null {
     const { store } = this.#app;
     const present = store.display.peek();
-    const read = v.safeParse(displaySchema, { ...present, ...change, quantity: present.quantity });
+    const held = 'range' in change && { rangeFollows: false };
+    const read = v.safeParse(displaySchema, { ...present, ...held, ...change, quantity: present.quantity });
     if (!read.success) return firstFault(read.issues);
-    if ('range' in change) store.legendLocked.value = true;
     this.#app.setDisplay(read.output);
     if (read.output.mode !== present.mode) this.#app.setMode(read.output.mode);
     return null;

@@ -6,6 +6,8 @@ import type { SheetState, Store } from '../state/store.ts';
 import { sentence } from '../words/format.ts';
 import type { CreatePool, Lighting } from './lighting.ts';
 import { reasonOf } from '../../document/reason.ts';
+import { words } from '../../language/language.ts';
+import { surfaceText } from '../../language/surface-names.ts';
 
 const calm = 150; // ms without a change, before a model is looked at anew
 
@@ -55,12 +57,19 @@ export class ImportSheet {
     if (!('reflectances' in part)) void this.#look();
   }
 
-  /** Luminaires hang on a surface from now on, or no longer; what was proposed counts as chosen then. */
+  /**
+   * Luminaires hang on a surface from now on, or no longer; what was proposed counts as chosen then. The last one stays, for
+   * they must hang somewhere.
+   */
   hang(name: string): void {
     const state = this.#store.sheet.peek();
     if (!state) return;
     const hung = mountsIn(state);
-    this.choose({ mounts: hung.includes(name) ? hung.filter((each) => each !== name) : [...hung, name] });
+    const others = hung.filter((each) => each !== name);
+    if (others.length === hung.length) return this.choose({ mounts: [...hung, name] });
+    if (others.length > 0) return this.choose({ mounts: others });
+    this.#store.sheet.value = { ...state }; // the tick comes back
+    this.#store.say('info', words.value.sheet.mounts.last(surfaceText(name)));
   }
 
   /** From now on, or no longer, a click in the picture says which room of the building is meant. */

@@ -325,7 +325,7 @@ export class Lighting {
     const layout = this.#solving.layout();
     const replaced = await this.#placing.replace(file, title, (to) => {
       const view = { camera: camera.peek(), display: display.peek() };
-      return { ...carriedOver(history.peek(), layout, display.peek(), from, to), view, isSameRoom: true };
+      return { ...carriedOver(history.peek(), layout, display.peek(), from, to), view };
     });
     this.#store.lighting.value = null;
     if (!replaced) return false;
@@ -368,7 +368,7 @@ export class Lighting {
     const layout = this.#solving.layout();
     const carried = carriedOver(history.peek(), layout, display.peek(), from, scene);
     const document = { ...fitting(carried.document, scene, asked.cards), room };
-    return { ...carried, document, view: { camera: null, display: display.peek() }, isSameRoom: true };
+    return { ...carried, document, view: { camera: null, display: display.peek() } };
   }
 
   /** What a link asks of this room that waited for it, or else what is asked of any room at first. */

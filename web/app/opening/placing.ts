@@ -33,7 +33,6 @@ export interface Placement {
   readonly view?: Pick<Link, 'camera' | 'display'>;
   readonly first?: OpeningView | null; // where there is no view
   readonly files?: PhotometricFiles | undefined; // of its luminaire types
-  readonly isSameRoom?: boolean; // as the one on the screen: its legend stays as a person has left it
 }
 
 /** Leaves that the intentions name, but for those about the whole room. */
@@ -175,7 +174,7 @@ export class Placing {
 
   /** The app's whole state in one step; the new document then asks the solver by itself. */
   #show(scene: SceneInfo, title: string, placement: Placement, isReturn: boolean): void {
-    const { document, history, view, first, files = {}, isSameRoom = false } = placement;
+    const { document, history, view, first, files = {} } = placement;
     const store = this.#store;
     if (this.#rooms.has(document.room)) rememberRoom(document.room);
     batch(() => {
@@ -197,7 +196,6 @@ export class Placing {
         mode: store.display.peek().mode,
         exposure: first?.exposure ?? 0,
       };
-      if (!isSameRoom) store.legendLocked.value = Boolean(view?.display);
       store.display.value = { ...display, quantity: document.quantity };
     });
     void this.#types.findMissing();

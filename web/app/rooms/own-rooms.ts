@@ -90,10 +90,10 @@ export class OwnRooms {
 
 const stemOf = (name: string) => name.replace(/\.(gl(b|tf)|flux)$/i, '');
 
-/** "x.flux", or "x 2.flux" where another model has that, and so on. */
+/** "x.flux", or "x (2).flux" where another model has that, and so on. */
 export function unusedName(stem: string, source: string, taken: readonly OwnRoom[]): string {
   for (let number = 1; ; number++) {
-    const room = number === 1 ? `${stem}.flux` : `${stem} ${number}.flux`;
+    const room = number === 1 ? `${stem}.flux` : `${stem} (${number}).flux`;
     const there = taken.find((each) => each.room === room);
     if (!there || there.source === source) return room;
   }

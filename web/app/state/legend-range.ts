@@ -5,6 +5,7 @@ import type { Store } from './store.ts';
 
 /** The legend spans the light that is there, and that which it is compared with, rounded, unless a person has locked it. */
 export function fitLegend(store: Store, shown: Shown): void {
+  if (!store.display.peek().rangeFollows) return;
   const mean = Math.max(meanOf(shown), meanOf(store.other.peek() ?? shown));
   const display = store.display.peek();
   const range = roundRange(Math.max(1, mean * 2.5), display.logarithmic, display.steps);

@@ -132,6 +132,7 @@ export const firstDisplay: Display = {
   steps: 0,
   logarithmic: false,
   range: [0, 500],
+  rangeFollows: true,
   isolux: false,
   quantity: 'illuminance',
   cutAway: true,
@@ -222,7 +223,6 @@ export class Store {
   readonly card = signal<string | null>(null); // opened card
   readonly hover = signal<Hover | null>(null);
   readonly display = signal<Display>(firstDisplay);
-  readonly legendLocked = signal(false);
   readonly camera = signal<Camera | null>(null);
   readonly messages = signal<readonly Message[]>([]);
   readonly announcement = signal('');
