@@ -15,6 +15,8 @@ export function Messages({ store }: { store: Store }) {
   );
 }
 
+const beside = 60; // characters: longer texts have no room for a button beside them
+
 function Toast({ message, close }: { message: Message; close: () => void }) {
   const { kind, text, action } = message;
   const [isOpen, setIsOpen] = useState(false);
@@ -24,7 +26,10 @@ function Toast({ message, close }: { message: Message; close: () => void }) {
     return () => clearTimeout(timer);
   }, []);
   return (
-    <div class={`toast toast-${kind} ${isOpen ? 'open' : ''}`} role={kind === 'error' ? 'alert' : 'status'}>
+    <div
+      class={`toast toast-${kind} ${isOpen ? 'open' : ''} ${text.length > beside ? 'long' : ''}`}
+      role={kind === 'error' ? 'alert' : 'status'}
+    >
       {kind === 'info' ? <Info size={16} aria-hidden /> : <TriangleAlert size={16} aria-hidden />}
       <p>{text}</p>
       {action && (

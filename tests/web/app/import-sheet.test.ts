@@ -67,7 +67,9 @@ test('a surface that is clicked in the picture is added, and taken away by the n
   expect(store.sheet.value?.choices.mounts).toEqual(['ceiling']);
   store.surface.value = 0; // the last one stays, and it is said why
   expect(store.sheet.value?.choices.mounts).toEqual(['ceiling']);
-  expect(store.messages.value.at(-1)?.text).toMatch(/somewhere: add another surface before taking ceiling away/);
+  expect(store.messages.value.at(-1)?.text).toMatch(
+    /somewhere: add another surface before taking ceiling away/,
+  );
   sheet.close();
   store.surface.value = null;
   store.surface.value = 0;

@@ -42,7 +42,8 @@ export const sheet: Words['sheet'] = {
     plane: 'Stattdessen Ebene über dem Boden',
     planeHeight: 'Höhe der Ebene über dem Boden',
     proposed: 'Wie vorgeschlagen',
-    last: (surface: string) => `Irgendwo müssen Leuchten hängen: erst eine andere Fläche dazunehmen, dann ${surface} weg.`,
+    last: (surface: string) =>
+      `Irgendwo müssen Leuchten hängen: erst eine andere Fläche dazunehmen, dann ${surface} weg.`,
     storeys: 'Nur in einem Geschoss',
     storey: (number: number) => `Geschoss ${number}`,
     floorAt: (height: string) => `Decken über dem Boden auf ${height} m`,

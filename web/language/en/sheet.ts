@@ -41,7 +41,8 @@ export const sheet = {
     plane: 'Plane over the floor instead',
     planeHeight: 'Height of the plane over the floor',
     proposed: 'As proposed',
-    last: (surface: string) => `Luminaires have to hang somewhere: add another surface before taking ${surface} away.`,
+    last: (surface: string) =>
+      `Luminaires have to hang somewhere: add another surface before taking ${surface} away.`,
     storeys: 'In one storey alone',
     storey: (number: number) => `Storey ${number}`,
     floorAt: (height: string) => `Ceilings over the floor at ${height} m`,

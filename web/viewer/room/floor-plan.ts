@@ -1,6 +1,6 @@
 /**
- * The room in plan, out of its display mesh: the floor is what faces up at the lowest height, its open edges are chained
- * to loops; furniture is drawn by its edges as seen from above.
+ * The room in plan, out of its display mesh: the floor is what faces up at the lowest height where much of the room does, its
+ * open edges are chained to loops; furniture is drawn by its edges as seen from above.
  */
 import { Box3, type Mesh } from 'three';
 import { joined } from '../../document/joined.ts';
@@ -18,20 +18,22 @@ import { surfaceEdges } from './surface-edges.ts';
 import { atOnce, type Pieces } from '../stage/breath.ts';
 
 const level = 0.05; // m above the lowest place: still floor
+const rounding = 1e-4; // m
 const upright = 0.99; // cosine of the slope that a floor may have
 const shortest = 0.04; // m: shorter edges of furniture are not drawn
 const crease = 35; // degrees
 const portion = 3 * 4096; // corners of triangles that are looked at in one piece
 const aPart = 0.03; // of the largest surface underfoot: what is smaller belongs to something else
+const surely = 0.4; // of the room's box in plan: what faces up at the bottom and is as large is its floor
+const mainly = 0.5; // of the largest level: a lower one of this size is the floor
 const smallest = 0.05; // m2: a smaller loop is a gap between things
 
 /** Corners of triangles in world space, 9 numbers each. */
 type Triangles = ArrayLike<number>;
 
-/** The triangles of the floor: those that face up at the `lowest` height (by default that of the lowest of them). */
-export function floorTriangles(all: Triangles, lowest?: number): Float64Array {
-  const heights = new Float64Array(Math.floor(all.length / 9)).fill(Infinity); // of those that face up
-  let bottom = Infinity;
+/** The heights of triangles that face up; infinite of others. */
+function levelHeights(all: Triangles): Float64Array {
+  const heights = new Float64Array(Math.floor(all.length / 9)).fill(Infinity);
   // note: plain numbers, for this runs before the browser has compiled it well.
   for (let i = 0, at = 0; i < heights.length; i++, at += 9) {
     const ux = all[at + 3]! - all[at]!;
@@ -45,15 +47,19 @@ export function floorTriangles(all: Triangles, lowest?: number): Float64Array {
     const nz = ux * vy - uy * vx;
     const length = Math.sqrt(nx * nx + ny * ny + nz * nz);
     if (length <= 1e-12 || ny <= upright * length) continue;
-    const height = all[at + 1]! + (uy + vy) / 3;
-    heights[i] = height;
-    if (height < bottom) bottom = height;
+    heights[i] = all[at + 1]! + (uy + vy) / 3;
   }
+  return heights;
+}
+
+/** The triangles of the floor: those that face up at the `lowest` height (by default that of the lowest of them). */
+export function floorTriangles(all: Triangles, lowest?: number): Float64Array {
+  const heights = levelHeights(all);
   const floor = new Float64Array(9 * heights.length);
-  const most = (lowest ?? bottom) + level;
+  const least = lowest ?? heights.reduce((low, height) => Math.min(low, height), Infinity);
   let end = 0;
   for (let i = 0; i < heights.length; i++) {
-    if (heights[i]! >= most) continue;
+    if (heights[i]! < least - rounding || heights[i]! >= least + level) continue;
     for (let at = 9 * i; at < 9 * i + 9; at++) floor[end++] = all[at]!;
   }
   return floor.slice(0, end);
@@ -121,14 +127,52 @@ function furnitureOf(room: RoomMesh, frame: PlanFrame): RoomPlan['furniture'] {
   return [...edges.values()];
 }
 
-/** The floor of a room that is displayed, without the sills of doors and what else is low and small. */
-function* floorOf({ lit }: RoomMesh): Pieces<Float64Array> {
-  const solid = lit.filter(({ measuring }) => !measuring);
-  const bottoms = solid.map(({ mesh }) => new Box3().setFromObject(mesh).min.y);
-  const lowest = Math.min(...bottoms);
+/** The floor of a room that is displayed: at the bottom, unless only something small faces up there. */
+function* floorOf({ lit, box: { min, max } }: RoomMesh): Pieces<Float64Array> {
+  const solid = lit
+    .filter(({ measuring }) => !measuring)
+    .map(({ mesh, surface }) => ({ mesh, surface, bottom: new Box3().setFromObject(mesh).min.y }));
+  const lowest = Math.min(...solid.map(({ bottom }) => bottom));
+  const floor = yield* floorAt(solid, lowest);
+  if (levelArea(floor) >= surely * (max[0] - min[0]) * (max[2] - min[2])) return floor;
+  const main = mainLevel(yield* levelsOf(solid));
+  return main < lowest + level ? floor : yield* floorAt(solid, main);
+}
+
+interface Solid {
+  readonly mesh: Mesh;
+  readonly surface: number;
+  readonly bottom: number; // m
+}
+
+/** What faces up, m2, by its height in steps of `level`. */
+function* levelsOf(solid: readonly Solid[]): Pieces<Map<number, number>> {
+  const levels = new Map<number, number>();
+  for (const { mesh } of solid) {
+    const corners = yield* trianglesOf(mesh);
+    const heights = levelHeights(corners);
+    for (let i = 0; i < heights.length; i++) {
+      if (i % portion === 0) yield;
+      const step = Math.floor(heights[i]! / level + rounding);
+      if (Number.isFinite(step)) levels.set(step, (levels.get(step) ?? 0) + areaInPlan(corners, 9 * i));
+    }
+  }
+  return levels;
+}
+
+/** The lowest height, m, where as much faces up as at half the best; -Infinity where nothing does. */
+export function mainLevel(levels: ReadonlyMap<number, number>): number {
+  const steps = [...levels.keys()].sort((a, b) => a - b);
+  const most = Math.max(0, ...levels.values());
+  const main = steps.find((step) => levels.get(step)! >= mainly * most);
+  return main === undefined ? -Infinity : main * level;
+}
+
+/** What faces up at a height, without the sills of doors and what else is low and small. */
+function* floorAt(solid: readonly Solid[], height: number): Pieces<Float64Array> {
   const floors = new Map<number, Float64Array[]>(); // by surface
-  for (const { mesh, surface } of solid.filter((_, i) => bottoms[i]! < lowest + level)) {
-    const faces = floorTriangles(yield* trianglesOf(mesh, lowest + level), lowest);
+  for (const { mesh, surface } of solid.filter(({ bottom }) => bottom < height + level)) {
+    const faces = floorTriangles(yield* trianglesOf(mesh, height + level), height);
     floors.set(surface, [...(floors.get(surface) ?? []), faces]);
     yield;
   }
@@ -145,11 +189,14 @@ function* floorOf({ lit }: RoomMesh): Pieces<Float64Array> {
 /** Seen from above, m2. */
 function levelArea(faces: Triangles): number {
   let sum = 0;
-  for (let at = 0; at + 8 < faces.length; at += 9) {
-    const p = (i: number) => faces[at + i]!;
-    sum += Math.abs((p(3) - p(0)) * (p(8) - p(2)) - (p(5) - p(2)) * (p(6) - p(0))) / 2;
-  }
+  for (let at = 0; at + 8 < faces.length; at += 9) sum += areaInPlan(faces, at);
   return sum;
+}
+
+/** Of the triangle that begins there, m2. */
+function areaInPlan(corners: Triangles, at: number): number {
+  const p = (i: number) => corners[at + i]!;
+  return Math.abs((p(3) - p(0)) * (p(8) - p(2)) - (p(5) - p(2)) * (p(6) - p(0))) / 2;
 }
 
 /** In world space; only those whose middle lies below a height, where one is given. */

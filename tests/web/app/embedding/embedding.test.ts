@@ -67,7 +67,12 @@ test('changes how the light is drawn, and what is not named stays', async () => 
     type: 'display',
     display: { mode: 'falseColor', range: [0, 800], quantity: 'exitance' },
   });
-  expect(app.store.display.value).toEqual({ ...before, mode: 'falseColor', range: [0, 800] });
+  expect(app.store.display.value).toEqual({
+    ...before,
+    mode: 'falseColor',
+    range: [0, 800],
+    rangeFollows: false,
+  });
 });
 
 test.each([

@@ -1,6 +1,8 @@
 /** The room in plan out of triangles: the floor, its frame, its outline. */
 import { describe, expect, test } from '@jest/globals';
-import { floorTriangles, frameOf, outlinesOf } from '../../../../web/viewer/room/floor-plan.ts';
+import { BufferAttribute, BufferGeometry, Mesh } from 'three';
+import { floorTriangles, frameOf, outlinesOf, planOf } from '../../../../web/viewer/room/floor-plan.ts';
+import type { RoomMesh } from '../../../../web/viewer/room/room-mesh.ts';
 import { atOnce } from '../../../../web/viewer/stage/breath.ts';
 import { twiceArea } from '../../../../web/document/plan-frame.ts';
 
@@ -68,4 +70,29 @@ describe('a plan', () => {
     const loops = atOnce(outlinesOf(ring, frameOf(ring, 3)));
     expect(loops.map((loop) => Math.round(Math.abs(twiceArea(loop)) / 2))).toEqual([16, 4]);
   });
+
+  test('is of the lowest level where much faces up: a plinth and a terrace below it are not the floor', () => {
+    const plinth = level(-1, [-9, -9], [-6, -7]);
+    const terrace = level(-0.4, [-9, -6], [-7, -3]);
+    const upstairs = level(3, [-1, -3], [5, 2]);
+    expect(frameIn(...plinth, ...terrace, ...room, ...upstairs)).toMatchObject({
+      west: -1,
+      south: 2,
+      floor: 0,
+      size: [6, 5, 4],
+    });
+    expect(frameIn(...room)).toMatchObject({ west: -1, south: 2, floor: 0 });
+    expect(frameIn(...down(room)).floor).toBeCloseTo(2.8); // only the back of the ceiling faces up
+  });
 });
+
+/** The frame of a room whose box reaches from -9 m to 5, 2 and 4 m. */
+function frameIn(...corners: number[]) {
+  const geometry = new BufferGeometry().setAttribute(
+    'position',
+    new BufferAttribute(new Float32Array(corners), 3),
+  );
+  const lit = [{ mesh: new Mesh(geometry), surface: 0, measuring: false }];
+  const box = { min: [-9, -1, -9], max: [5, 4, 2] };
+  return atOnce(planOf({ lit, box, standing: new Set() } as unknown as RoomMesh)).frame;
+}
