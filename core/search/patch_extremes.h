@@ -49,15 +49,15 @@ class PatchExtremes {
     double errorBound;  // share of the leaf's mean illuminance
   };
 
-  void add(std::uint32_t site, double lumens);
-  /// Patches that were extreme lately, the latest first, on the side where margins count `sign`.
+  /// Patches that were extreme lately, on the side where margins count `sign`.
   struct Witnesses {
     double sign;
-    std::vector<std::uint32_t> patches;    // into rows_
-    std::vector<std::vector<double>> lit;  // what each site does there, of those of rows_ that it is made of
-    std::size_t made = 0;                  // of `lit`
+    std::vector<std::uint32_t> patches;    // into rows_, the latest first
+    std::vector<std::vector<double>> lit;  // of each of rows_ what each site does there; empty until needed
+    std::size_t made = 0;                  // so many of `lit` are not empty
   };
 
+  void add(std::uint32_t site, double lumens);
   double standingAt(const Witnesses& witnesses, std::uint32_t k) const;
   double lightAfter(std::size_t k, const FluxChange* changes, std::uint32_t count) const;
   double leafMean(std::uint32_t leaf, const FluxChange* changes, std::uint32_t count) const;

@@ -14,7 +14,7 @@ bool isOfMoments(Statistic statistic) {
          statistic == Statistic::kChebyshev;
 }
 
-/// Of extremes as far as they are to be on the side that witnesses know of.
+/// Of extremes on the side that is hoped for alone (PatchExtremes::hoped).
 bool isSurveyed(Statistic statistic, Side side) {
   switch (statistic) {
     case Statistic::kMaximum:
@@ -71,7 +71,7 @@ void Objective::surveyBound(const Bound& bound, const SurveyedLayouts& layouts,
     case Statistic::kUniformity:
       for (std::uint32_t k = 0; k < kSurveyed; ++k) values[k] = mean[k] > 0 ? least[k] / mean[k] : 0.0;
       return;
-    default:  // a mean, or what observers of points see
+    default:  // a mean, or light at points
       return copy(bound.isLeast ? least : mean);
   }
 }

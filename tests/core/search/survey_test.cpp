@@ -31,6 +31,21 @@ Intentions asked() {
   return intentions;
 }
 
+/// A random luminaire on random candidates, the first its own, surveyed in a random layout.
+struct Surveyed {
+  std::uint32_t luminaire;
+  std::uint32_t candidates[kSurveyed];
+  double worths[kSurveyed];
+
+  Surveyed(PreparedScene& prepared, Evaluator& evaluator, const Intentions& intentions, Random& random) {
+    evaluator.load(randomSites(prepared, intentions.luminaires, random));
+    luminaire = random.below(6);
+    candidates[0] = evaluator.sites()[luminaire];
+    for (std::uint32_t k = 1; k < kSurveyed; ++k) candidates[k] = random.below(prepared.candidateCount());
+    evaluator.survey(luminaire, candidates, worths);
+  }
+};
+
 struct Compared {
   std::uint32_t broken = 0, met = 0;  // of the moves
 };
@@ -44,22 +59,17 @@ Compared compareWithTrials(const Intentions& intentions, const Prices& prices = 
   Random random(5);
   Compared compared;
   for (int round = 0; round < 40; ++round) {
-    evaluator.load(randomSites(prepared, intentions.luminaires, random));
-    const std::uint32_t luminaire = random.below(6);
-    std::uint32_t candidates[kSurveyed] = {evaluator.sites()[luminaire]};
-    for (std::uint32_t k = 1; k < kSurveyed; ++k) candidates[k] = random.below(prepared.candidateCount());
-    double worths[kSurveyed];
-    evaluator.survey(luminaire, candidates, worths);
+    const Surveyed surveyed(prepared, evaluator, intentions, random);
     for (std::uint32_t k = 0; k < kSurveyed; ++k) {
       Trial trial;
       trial.evaluation = {kUnbounded, kUnbounded, 1};
-      evaluator.tryMoves(luminaire, candidates + k, 1, trial);
+      evaluator.tryMoves(surveyed.luminaire, surveyed.candidates + k, 1, trial);
       const double violation = trial.evaluation.violation;
       (violation > 0 ? compared.broken : compared.met) += 1;
       const double worth = prices.worthOf(trial.evaluation);
       // note: where no dimming meets all bounds, the survey does not look for the best one.
       if (intentions.luminaires.dimmingLow == 1 || violation == 0) {
-        EXPECT_NEAR(worths[k], worth, 1e-9 * std::fabs(worth));
+        EXPECT_NEAR(surveyed.worths[k], worth, 1e-9 * std::fabs(worth));
       }
     }
   }
@@ -152,16 +162,12 @@ TEST(Survey, HopesForExtremesThatAreNoWorseThanTheyAreAndOftenTheSame) {
   Random random(5);
   std::uint32_t exact = 0, all = 0;
   for (int round = 0; round < 40; ++round) {
-    evaluator.load(randomSites(prepared, intentions.luminaires, random));
-    const std::uint32_t luminaire = random.below(6);
-    std::uint32_t candidates[kSurveyed] = {evaluator.sites()[luminaire]};
-    for (std::uint32_t k = 1; k < kSurveyed; ++k) candidates[k] = random.below(prepared.candidateCount());
-    double worths[kSurveyed];
-    evaluator.survey(luminaire, candidates, worths);
+    const Surveyed surveyed(prepared, evaluator, intentions, random);
+    const double* worths = surveyed.worths;
     EXPECT_NEAR(worths[0], prices.worthOf(evaluator.current()), 1e-9 * worths[0]) << "it stands there";
     for (std::uint32_t k = 0; k < kSurveyed; ++k) {
       std::vector<std::uint32_t> sites = evaluator.sites();
-      sites[luminaire] = candidates[k];
+      sites[surveyed.luminaire] = surveyed.candidates[k];
       const double worth = prices.worthOf(evaluator.evaluate(sites));
       EXPECT_LE(worths[k], worth + 1e-9 * std::fabs(worth));
       exact += worths[k] > worth - 1e-6 * std::fabs(worth);

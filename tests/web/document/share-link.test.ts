@@ -74,6 +74,11 @@ test('a link keeps the height at which a building is cut', () => {
   expect(decodeLink(encodeLink(cut))).toEqual({ ok: true, link: cut });
 });
 
+test.each([true, false])('a link keeps whether the legend follows the light: %s', (rangeFollows) => {
+  const following: Link = { ...link, display: { ...link.display!, rangeFollows } };
+  expect(decodeLink(encodeLink(following))).toEqual({ ok: true, link: following });
+});
+
 test('a link carries paint and is then of version 2; a glare of a reflectance is refused', () => {
   const paint = [
     { surface: 'yellow wall', reflectance: 0.5 },

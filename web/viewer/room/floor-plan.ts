@@ -161,7 +161,7 @@ function* levelsOf(solid: readonly Solid[]): Pieces<Map<number, number>> {
 }
 
 /** The lowest height, m, where as much faces up as at half the best; -Infinity where nothing does. */
-export function mainLevel(levels: ReadonlyMap<number, number>): number {
+function mainLevel(levels: ReadonlyMap<number, number>): number {
   const steps = [...levels.keys()].sort((a, b) => a - b);
   const most = Math.max(0, ...levels.values());
   const main = steps.find((step) => levels.get(step)! >= mainly * most);

@@ -28,3 +28,11 @@ test('round ends that hold the light stay', () => {
   expect(ends(300, { range: [0, 300] })).toEqual([0, 800]);
   expect(ends(300, { logarithmic: true, range: [0, 800] })).toEqual([10, 800]);
 });
+
+test('locked ends stay, whatever the light', () => {
+  const store = new Store();
+  const locked = { ...store.display.value, range: [5, 77] as const, rangeFollows: false };
+  store.display.value = locked;
+  fitLegend(store, lit(300));
+  expect(store.display.value).toBe(locked);
+});
