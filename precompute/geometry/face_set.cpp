@@ -2,7 +2,6 @@
 #include "precompute/geometry/face_set.h"
 
 #include <algorithm>
-#include <tuple>
 #include <utility>
 
 #include "precompute/room/vertex_lattice.h"
@@ -18,7 +17,7 @@ constexpr std::size_t kLeastWork = 20'000'000, kWorkOfEdge = 500;
 constexpr std::size_t kManyFaces = 16;  // on one edge: each is then the neighbour of the next alone
 
 bool edgeLess(const SubEdge& x, const SubEdge& y) {
-  return std::tie(x.a, x.b, x.face) < std::tie(y.a, y.b, y.face);
+  return x.a != y.a ? x.a < y.a : x.b != y.b ? x.b < y.b : x.face < y.face;
 }
 
 SubEdge makeEdge(std::uint32_t from, std::uint32_t to, std::uint32_t face) {

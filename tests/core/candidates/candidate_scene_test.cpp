@@ -35,11 +35,11 @@ Result<Scene> candidateScene(const Scene& room, Quantity quantity, const std::ve
   return making->finish(quantity);
 }
 
-std::vector<CandidateType> twoTypes() { return {{spot(), 1500, 12}, {spot(), 400, 5}}; }
+std::vector<CandidateType> typesOfSpots() { return {{spot(), 1500, 12}, {spot(), 400, 5}}; }
 
 TEST(CandidateScene, HasTheLightOfEachCandidate) {
   const Scene room = operatorScene(12, 6);
-  const auto types = twoTypes();
+  const auto types = typesOfSpots();
   const Result<Scene> scene = candidateScene(room, Quantity::kIlluminance, types, kCandidates);
   ASSERT_TRUE(scene) << scene.error().message;
   ASSERT_EQ(scene->sites.size(), kCandidates.size());
@@ -65,7 +65,7 @@ TEST(CandidateScene, HasTheLightOfEachCandidate) {
 TEST(CandidateScene, TakesLightAsItIsKnown) {
   const Scene room = operatorScene(12, 6);
   const std::size_t size = kCandidates.size() * room.responses.rows;
-  Result<CandidateScene> making = CandidateScene::begin(room, twoTypes(), kCandidates);
+  Result<CandidateScene> making = CandidateScene::begin(room, typesOfSpots(), kCandidates);
   std::vector<float> dark(size, 1.0f);
   dark[1] = -1;
   EXPECT_FALSE(making->know(dark));
@@ -85,7 +85,7 @@ TEST(CandidateScene, TakesWhatAnotherSceneKnows) {
                                            {"east", {1, 1.2, 1}, {-1, 0, 0}}};
   const auto sceneOf = [&](const std::vector<Candidate>& candidates, const Scene* known,
                            const std::vector<std::uint32_t>& there) {
-    Result<CandidateScene> making = CandidateScene::begin(room, twoTypes(), candidates);
+    Result<CandidateScene> making = CandidateScene::begin(room, typesOfSpots(), candidates);
     if (known) making->take(*known, there);
     while (!making->advance(1)) continue;
     std::vector<ObserverRows> rows = making->seenBy(observers);
@@ -122,7 +122,7 @@ TEST(CandidateScene, LeavesDarkWhatNobodyIsToTry) {
       std::make_shared<const Repaint>(room, light->exchange(), paintedReflectance(room, {{0, 0.3}}));
   for (const bool isPainted : {false, true}) {
     const auto sceneOf = [&](const std::vector<std::uint32_t>& dark) {
-      Result<CandidateScene> making = CandidateScene::begin(room, twoTypes(), kCandidates, light);
+      Result<CandidateScene> making = CandidateScene::begin(room, typesOfSpots(), kCandidates, light);
       making->leaveDark(dark);
       while (!making->advance(1)) continue;
       if (isPainted) making = making->repainted(paint);
@@ -153,7 +153,7 @@ TEST(CandidateScene, LooksFromOnePlaceAtATime) {
                                            {"east", {1, 1.2, 1}, {-1, 0, 0}},
                                            {"there", {2, 1.2, 1}, {-1, 0, 0}}};
   const auto making = [&] {
-    Result<CandidateScene> scene = CandidateScene::begin(room, twoTypes(), kCandidates);
+    Result<CandidateScene> scene = CandidateScene::begin(room, typesOfSpots(), kCandidates);
     while (!scene->advance(1)) continue;
     return scene;
   };
@@ -176,19 +176,19 @@ TEST(CandidateScene, LooksFromOnePlaceAtATime) {
   // Of those that another scene knows nothing is left to look for.
   Scene known = whole->finish(Quantity::kIlluminance);
   known.observers = rows;
-  Result<CandidateScene> taken = CandidateScene::begin(room, twoTypes(), kCandidates);
+  Result<CandidateScene> taken = CandidateScene::begin(room, typesOfSpots(), kCandidates);
   taken->take(known, {0, 1, 2, 3});
   EXPECT_TRUE(taken->advance(1));
   EXPECT_TRUE(taken->look(observers));
   EXPECT_EQ(taken->seenBy(observers)[2].background, rows[2].background);
 }
 
-class OfQuantity : public testing::TestWithParam<Quantity> {};
+class OfQuantity : public ::testing::TestWithParam<Quantity> {};
 
 TEST_P(OfQuantity, StatisticsAreMadeWhenTheyAreAskedFor) {
   const Quantity quantity = GetParam();
   const Scene room = operatorScene(12, 6);
-  const Result<Scene> scene = candidateScene(room, quantity, twoTypes(), kCandidates);
+  const Result<Scene> scene = candidateScene(room, quantity, typesOfSpots(), kCandidates);
   ASSERT_TRUE(scene);
   Scene before = *scene;
   for (std::uint32_t s = 0; s < before.surfaces.size(); ++s) {
@@ -214,7 +214,7 @@ TEST_P(OfQuantity, ReadingsAreThoseOfTheLightItself) {
   room.patches.covered.assign(room.patches.rows(), 0);
   for (std::uint32_t p = 0; p < 24; ++p) room.patches.covered[p] = 1;
   room.surfaces[0].area -= 24 * room.patches.area[0];
-  const Result<Scene> scene = candidateScene(room, GetParam(), twoTypes(), kCandidates);
+  const Result<Scene> scene = candidateScene(room, GetParam(), typesOfSpots(), kCandidates);
   ASSERT_TRUE(scene);
   PreparedScene prepared(*scene);
   Intentions intentions;
@@ -238,18 +238,18 @@ TEST_P(OfQuantity, PaintChangesSquaresAndTypesAlike) {
   const std::vector<SurfacePaint> wall = {{1, 0.8}};
   const auto paint = std::make_shared<const Repaint>(room, light->exchange(), paintedReflectance(room, wall));
   Result<CandidateScene> squares = CandidateScene::ofSquares(room, {4, 1}, paint);
-  Result<CandidateScene> types = CandidateScene::begin(room, twoTypes(), kCandidates, light, paint);
+  Result<CandidateScene> types = CandidateScene::begin(room, typesOfSpots(), kCandidates, light, paint);
   ASSERT_TRUE(squares && types);
   while (!squares->advance(1)) continue;
   while (!types->advance(3)) continue;
-  Result<CandidateScene> asInTheFile = CandidateScene::begin(room, twoTypes(), kCandidates, light);
+  Result<CandidateScene> asInTheFile = CandidateScene::begin(room, typesOfSpots(), kCandidates, light);
   while (!asInTheFile->advance(3)) continue;
   CandidateScene repainted = asInTheFile->repainted(paint);
   EXPECT_FALSE(repainted.advance(3));
   EXPECT_TRUE(repainted.advance(3));
   const Scene ofBoth = repainted.finish(GetParam());
   const Scene ofSquares = squares->finish(GetParam()), ofTypes = types->finish(GetParam());
-  const Result<Scene> before = candidateScene(room, GetParam(), twoTypes(), kCandidates);
+  const Result<Scene> before = candidateScene(room, GetParam(), typesOfSpots(), kCandidates);
   const auto expectPainted = [&](const Scene& scene, std::uint32_t j, const float* column) {
     const std::vector<float> expected = paint->light({column, column + room.patches.rows()}, 1);
     for (std::size_t p = 0; p < expected.size(); ++p)
@@ -273,14 +273,14 @@ TEST_P(OfQuantity, PaintChangesSquaresAndTypesAlike) {
   EXPECT_LT(checkStatistics(ofSquares, intentions.quantity, shown).largestDifference, 1e-6);
 }
 
-INSTANTIATE_TEST_SUITE_P(Both, OfQuantity, testing::Values(Quantity::kIlluminance, Quantity::kExitance));
+INSTANTIATE_TEST_SUITE_P(Both, OfQuantity, ::testing::Values(Quantity::kIlluminance, Quantity::kExitance));
 
 TEST(CandidateScene, WhatCannotBeIsSaidInOneLine) {
   const Scene room = operatorScene(12, 6);
   Scene squares = room;
   squares.lightOperator.reset();
   const auto refusal = [](const Scene& in, const std::vector<Candidate>& candidates) {
-    const Result<Scene> scene = candidateScene(in, Quantity::kIlluminance, twoTypes(), candidates);
+    const Result<Scene> scene = candidateScene(in, Quantity::kIlluminance, typesOfSpots(), candidates);
     return scene ? std::string() : scene.error().message;
   };
   EXPECT_NE(refusal(squares, kCandidates).find("Lambertian squares only"), std::string::npos);

@@ -18,9 +18,9 @@ using samples::cosine;
 using samples::LdtFile;
 using samples::read;
 using samples::refusal;
-using testing::ElementsAre;
-using testing::HasSubstr;
-using testing::IsEmpty;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
 
 std::string textOfLines(const std::vector<std::string>& lines) {
   return samples::IesFile::joined(lines, "\n");

@@ -16,9 +16,9 @@ using samples::cosinePower;
 using samples::IesFile;
 using samples::read;
 using samples::refusal;
-using testing::ElementsAre;
-using testing::HasSubstr;
-using testing::IsEmpty;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
 
 TEST(IesFile, ReadsAWholeFileOfTheSecondVintage) {
   const Result<Photometry> p = read(

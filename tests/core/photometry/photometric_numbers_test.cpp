@@ -10,7 +10,7 @@ namespace fiatlux {
 namespace {
 
 using samples::bytesOf;
-using testing::ElementsAre;
+using ::testing::ElementsAre;
 
 TEST(PhotometricText, ReadsDecimalNumbersExactly) {
   EXPECT_EQ(numberOf("0"), 0.0);

@@ -18,8 +18,8 @@ using samples::LdtFile;
 using samples::read;
 using samples::refusal;
 using samples::sine;
-using testing::AllOf;
-using testing::HasSubstr;
+using ::testing::AllOf;
+using ::testing::HasSubstr;
 
 /// Mirrored in both planes, far from axial.
 double fourfold(double c, double gamma) { return 200 * (2 + cosine(2 * c)) * (1.5 + cosine(gamma)); }

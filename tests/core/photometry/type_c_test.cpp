@@ -17,7 +17,7 @@ using samples::cosine;
 using samples::IesFile;
 using samples::read;
 using samples::sine;
-using testing::HasSubstr;
+using ::testing::HasSubstr;
 
 /// cd along a unit direction: x to the side (C 0), y upwards (C 90), z along the beam.
 using Field = std::function<double(const Vec3&)>;

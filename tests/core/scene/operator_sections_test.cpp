@@ -22,7 +22,7 @@
 namespace fiatlux {
 namespace {
 
-using testing::HasSubstr;
+using ::testing::HasSubstr;
 
 Result<Scene> readBack(const Scene& scene, const std::vector<PlainSection>& plain, bool withOperator = true) {
   std::vector<StoredSection> sections;

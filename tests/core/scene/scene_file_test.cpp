@@ -72,7 +72,7 @@ std::string errorWith(const Scene& scene, const std::string& name, Change change
   return errorOf(fileOf(scene, sections));
 }
 
-using testing::Test;
+using ::testing::Test;
 
 TEST(Crc32, KnownAnswer) {
   const char* text = "123456789";

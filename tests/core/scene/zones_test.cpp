@@ -12,7 +12,7 @@
 namespace fiatlux {
 namespace {
 
-using testing::HasSubstr;
+using ::testing::HasSubstr;
 
 constexpr std::uint32_t kPlane = 2;
 

@@ -11,7 +11,7 @@
 namespace fiatlux {
 namespace {
 
-class OfCandidates : public testing::TestWithParam<Quantity> {
+class OfCandidates : public ::testing::TestWithParam<Quantity> {
  protected:
   /// Its covariances are made of its light.
   static Scene sceneOfCandidates() {
@@ -80,7 +80,7 @@ TEST_P(OfCandidates, ASetOfWhichMoreIsAskedLaterHasItsVariance) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Of, OfCandidates, testing::Values(Quantity::kIlluminance, Quantity::kExitance));
+INSTANTIATE_TEST_SUITE_P(Of, OfCandidates, ::testing::Values(Quantity::kIlluminance, Quantity::kExitance));
 
 }  // namespace
 }  // namespace fiatlux

@@ -113,7 +113,7 @@ TEST_P(PaintGains, OfEveryStatisticAreWhatALittleLighterPaintDoes) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Both, PaintGains, testing::Values(Quantity::kIlluminance, Quantity::kExitance));
+INSTANTIATE_TEST_SUITE_P(Both, PaintGains, ::testing::Values(Quantity::kIlluminance, Quantity::kExitance));
 
 using PaintGainsOfDirect = PaintGains;
 TEST_P(PaintGainsOfDirect, AreNone) {
@@ -127,7 +127,7 @@ TEST_P(PaintGainsOfDirect, AreNone) {
     EXPECT_EQ(gain.constraints[0], 0);
   }
 }
-INSTANTIATE_TEST_SUITE_P(Alone, PaintGainsOfDirect, testing::Values(Quantity::kDirect));
+INSTANTIATE_TEST_SUITE_P(Alone, PaintGainsOfDirect, ::testing::Values(Quantity::kDirect));
 
 using PaintGainsUntold = PaintGains;
 TEST_P(PaintGainsUntold, AreAnErrorWhereTheLightOfTheLayoutDoesNotTellWhatIsAsked) {
@@ -144,7 +144,7 @@ TEST_P(PaintGainsUntold, AreAnErrorWhereTheLightOfTheLayoutDoesNotTellWhatIsAske
   others.observers[0].position.y = 1.7;
   EXPECT_TRUE(refused(others, lit, kLayout));
 }
-INSTANTIATE_TEST_SUITE_P(Some, PaintGainsUntold, testing::Values(Quantity::kIlluminance));
+INSTANTIATE_TEST_SUITE_P(Some, PaintGainsUntold, ::testing::Values(Quantity::kIlluminance));
 
 TEST(SessionRepaint, SaysWhatCannotBePaintedAndKeepsTheLatest) {
   Session session;

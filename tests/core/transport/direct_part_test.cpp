@@ -128,7 +128,7 @@ TEST(DirectPart, IsReadOnTheGridOfATaskArea) {
 
   Intentions wrong = intentions;
   wrong.constraints[0].statistic = Statistic::kMaximum;
-  EXPECT_THAT(session.setIntentions(wrong).error().message, testing::HasSubstr("a grid tells"));
+  EXPECT_THAT(session.setIntentions(wrong).error().message, ::testing::HasSubstr("a grid tells"));
 }
 
 TEST(DirectPart, TrialsOnGridsAreFullEvaluations) {

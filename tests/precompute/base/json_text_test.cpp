@@ -11,7 +11,7 @@
 namespace fiatlux {
 namespace {
 
-using testing::HasSubstr;
+using ::testing::HasSubstr;
 
 std::string errorOf(const std::string& text) {
   const Result<nlohmann::json> json = parseJson(text);

@@ -56,7 +56,7 @@ TEST(ParallelDeathTest, FewerThreadsThanAskedForDoItToo) {
 #ifdef __SANITIZE_ADDRESS__
   GTEST_SKIP() << "the sanitizer's shadow does not fit under a limit of memory";
 #endif
-  EXPECT_EXIT(limitMemory(); std::_Exit(eachComesOnce(1000) ? 0 : 1), testing::ExitedWithCode(0), "");
+  EXPECT_EXIT(limitMemory(); std::_Exit(eachComesOnce(1000) ? 0 : 1), ::testing::ExitedWithCode(0), "");
 }
 #endif
 

@@ -16,11 +16,11 @@ namespace fiatlux {
 namespace {
 
 using nlohmann::json;
-using testing::HasSubstr;
-using testing::Not;
+using ::testing::HasSubstr;
+using ::testing::Not;
 
 /// A box room and its scene file, made once.
-class Commands : public testing::Test {
+class Commands : public ::testing::Test {
  protected:
   static void SetUpTestSuite() {
     folder_ = new TemporaryFolder;
@@ -446,7 +446,7 @@ TEST_F(Commands, PaperCarriesItsMatrices) {
   std::vector<std::string> names;
   for (const json& section : info["sections"]) names.push_back(section["name"]);
   for (const char* name : {"Y", "V", "clusterMean", "clusterCovariance.5"})
-    EXPECT_THAT(names, testing::Contains(std::string(name)));
+    EXPECT_THAT(names, ::testing::Contains(std::string(name)));
   EXPECT_EQ(runFiatlux(*folder_, "evaluate paper.flux --layout layout.json").status, 0);
 }
 

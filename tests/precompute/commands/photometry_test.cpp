@@ -11,7 +11,7 @@ namespace fiatlux {
 namespace {
 
 using nlohmann::json;
-using testing::HasSubstr;
+using ::testing::HasSubstr;
 
 TEST(PhotometryCommand, PrintsEveryKeyOfTheCard) {
   const TemporaryFolder folder;

@@ -16,7 +16,7 @@
 namespace fiatlux {
 namespace {
 
-using testing::HasSubstr;
+using ::testing::HasSubstr;
 
 constexpr const char* kDesk =
     R"({"name": "desk 1", "surface": "desk plane", "outline": [[0, -9], [1, -9], [1, 9], [0, 9]]})";

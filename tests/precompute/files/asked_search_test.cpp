@@ -33,8 +33,9 @@ std::string refusalOfOpening(double edge, bool isSeen) {
 TEST(AskedSearch, OfALuminaireWithoutAreaNobodyCanSayHowItGlares) {
   EXPECT_EQ(refusalOfOpening(0, false), "");
   EXPECT_EQ(refusalOfOpening(0.1, true), "");
-  EXPECT_THAT(refusalOfOpening(0, true),
-              testing::StartsWith("luminaires.types[0]: point.ies has no luminous area, so nobody can say"));
+  EXPECT_THAT(
+      refusalOfOpening(0, true),
+      ::testing::StartsWith("luminaires.types[0]: point.ies has no luminous area, so nobody can say"));
 }
 
 }  // namespace

@@ -10,7 +10,7 @@
 namespace fiatlux {
 namespace {
 
-using testing::HasSubstr;
+using ::testing::HasSubstr;
 
 template <class T>
 std::string errorOf(const Result<T>& result) {

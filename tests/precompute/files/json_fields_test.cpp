@@ -7,8 +7,8 @@
 namespace fiatlux {
 namespace {
 
-using testing::ElementsAre;
-using testing::HasSubstr;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
 
 std::string errorOf(const std::string& text, const std::function<void(const JsonField&)>& read) {
   const Result<Done> result = readJson(text, read);

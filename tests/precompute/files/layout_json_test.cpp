@@ -12,9 +12,9 @@
 namespace fiatlux {
 namespace {
 
-using testing::ElementsAre;
-using testing::HasSubstr;
-using testing::SizeIs;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::SizeIs;
 
 std::string errorOf(const std::string& text) {
   const Result<LayoutFile> file = parseLayout(text);

@@ -7,9 +7,9 @@
 namespace fiatlux {
 namespace {
 
-using testing::ElementsAre;
-using testing::HasSubstr;
-using testing::IsEmpty;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
 
 Scene namedScene() {
   Scene scene;

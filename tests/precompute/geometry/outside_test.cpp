@@ -29,7 +29,7 @@ using testing::totalArea;
 using testing::transportOf;
 using ::testing::UnorderedElementsAre;
 
-const Vec3 kSize{4, 3, 5};  // m
+const Vec3 kRoomSize{4, 3, 5};  // m
 
 RoomOptions coarse() {
   RoomOptions options;
@@ -42,7 +42,7 @@ RoomOptions coarse() {
 TestGltf shell(bool closed, bool outward, bool doubleSided = true) {
   TestGltf gltf;
   const int paint = gltf.material("paint", 0.5, {{"doubleSided", doubleSided}});
-  const Vec3 x{kSize.x, 0, 0}, y{0, kSize.y, 0}, z{0, 0, kSize.z};
+  const Vec3 x{kRoomSize.x, 0, 0}, y{0, kRoomSize.y, 0}, z{0, 0, kRoomSize.z};
   const auto side = [&](const char* name, const Vec3& o, const Vec3& u, const Vec3& v) {
     TestMesh mesh;
     outward ? mesh.quad(o, v, u) : mesh.quad(o, u, v);
@@ -94,7 +94,7 @@ TEST(Outside, AClosedSheetDrawnFromOutsideIsARoom) {
   // What a modelling program makes of a cube that is blown up to be a room: one mesh, double-sided, outward.
   TestGltf gltf;
   TestMesh cube, chest;
-  cube.box({}, kSize, false), chest.box({1, 0.5, 1}, {1, 0.5, 2}, false);
+  cube.box({}, kRoomSize, false), chest.box({1, 0.5, 1}, {1, 0.5, 2}, false);
   const int paint = gltf.material("paint", 0.5, {{"doubleSided", true}});
   gltf.node("cube", gltf.mesh(cube, paint)),
       gltf.node("chest", gltf.mesh(chest, paint), TestGltf::extras({{"surface", "chest"}}));
@@ -205,7 +205,7 @@ TEST(Outside, ARoomWithoutItsCeilingKeepsItsInside) {
 }
 
 TEST(Outside, WhatRestsOnTheFloorHasNoUnderside) {
-  TestGltf gltf = boxRoom(kSize, 1);
+  TestGltf gltf = boxRoom(kRoomSize, 1);
   TestMesh chest;
   chest.box({1, 0, 1}, {1, 0.5, 2}, false);
   gltf.node("chest", gltf.mesh(chest, 0), TestGltf::extras({{"surface", "chest"}}));

@@ -14,20 +14,20 @@ namespace {
 using testing::boxModel;
 using testing::plainHost;
 
-SceneOptions quickOptions() {
+SceneOptions exchangeOptions() {
   SceneOptions options = testing::quickOptions();
   options.transport.exchange = true;
   return options;
 }
 
 SceneParts openedBox() {
-  auto parts = SceneParts::open(boxModel(), quickOptions(), plainHost());
+  auto parts = SceneParts::open(boxModel(), exchangeOptions(), plainHost());
   EXPECT_TRUE(parts) << parts.error().message;
   return std::move(*parts);
 }
 
 TEST(SceneParts, AreTheWholeWhoeverCastsThem) {
-  const auto whole = makeScene(boxModel(), quickOptions(), plainHost());
+  const auto whole = makeScene(boxModel(), exchangeOptions(), plainHost());
   ASSERT_TRUE(whole);
   SceneParts first = openedBox(), second = openedBox();
   const std::uint32_t rows = first.room().patches.rows();
@@ -67,10 +67,10 @@ TEST(SceneParts, LightLuminairesAsTheForwardTruthDoes) {
     hung[j] = luminaireOf(parts.room().sites[j]);
     hung[j].flux = 500 + 100.0 * static_cast<double>(j);
   }
-  const auto opened = openRoom(boxModel(), quickOptions().room, plainHost());
+  const auto opened = openRoom(boxModel(), exchangeOptions().room, plainHost());
   ASSERT_TRUE(opened);
   ForwardOptions options;
-  options.rays = quickOptions().transport.rays;
+  options.rays = exchangeOptions().transport.rays;
   for (const std::size_t count : {std::size_t{2}, hung.size()}) {
     const std::vector<Luminaire> some(hung.begin(), hung.begin() + static_cast<std::ptrdiff_t>(count));
     const auto columns = parts.light(some);

@@ -9,14 +9,14 @@
 namespace fiatlux {
 namespace {
 
-using testing::HasSubstr;
+using ::testing::HasSubstr;
 
 struct Option {
   const char* name;
   std::vector<const char*> refused;  // values
 };
 
-class Options : public testing::Test {
+class Options : public ::testing::Test {
  protected:
   static void SetUpTestSuite() {
     folder_ = new TemporaryFolder;

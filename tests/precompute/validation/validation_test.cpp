@@ -8,7 +8,7 @@
 namespace fiatlux {
 namespace {
 
-class ValidationTest : public testing::TestWithParam<void (*)(Validation&)> {};
+class ValidationTest : public ::testing::TestWithParam<void (*)(Validation&)> {};
 
 TEST_P(ValidationTest, EveryRowIsWithinItsTolerance) {
   Validation validation({});
@@ -21,9 +21,9 @@ TEST_P(ValidationTest, EveryRowIsWithinItsTolerance) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Cases, ValidationTest,
-                         testing::Values(validateFormFactors, validateIdentities, validateFurnaces,
-                                         validateDirectCie171, validateReflectedCie171,
-                                         validatePhotometricFiles));
+                         ::testing::Values(validateFormFactors, validateIdentities, validateFurnaces,
+                                           validateDirectCie171, validateReflectedCie171,
+                                           validatePhotometricFiles));
 
 TEST(Validation, ARowFailsBeyondItsToleranceAndWhenItIsNoNumber) {
   Validation validation({});
