@@ -72,6 +72,8 @@ Evaluation Evaluator::evaluate(const std::vector<std::uint32_t>& sites) {
   readPoints(sites);
   for (std::size_t s = 0; s < moments_.size(); ++s) {
     if (!patches_[s]) continue;
+    trialExtremes_[s] = Objective::allowedBy(trialMoments_[s]);
+    if (leftOut_) continue;
     light(*patches_[s], sites);
     trialExtremes_[s] = patches_[s]->current();
     if (!sites_.empty()) light(*patches_[s], sites_);
@@ -166,6 +168,7 @@ void Evaluator::load(const std::vector<std::uint32_t>& sites) {
 
 /// Of the layout it stands at.
 void Evaluator::lightPatches() {
+  if (leftOut_) return;
   for (std::optional<PatchExtremes>& patches : patches_)
     if (patches) light(*patches, sites_);
   appliedSince_ = 0;
@@ -182,7 +185,7 @@ void Evaluator::refresh() {
       light(*points_[s], sites_);
       take(points_[s]->current(), moments_[s], extremes_[s]);
     }
-    if (patches_[s]) extremes_[s] = patches_[s]->current();
+    if (patches_[s]) extremes_[s] = leftOut_ ? Objective::allowedBy(moments_[s]) : patches_[s]->current();
   }
   current_ = objective_.judge(moments_.data(), extremes_.data());
 }
@@ -207,6 +210,7 @@ bool Evaluator::settleExtremes(const FluxChange* changes, std::uint32_t count, c
       if (points_[s]) take(points_[s]->changed(changes_.data(), n), trialMoments_[s], trialExtremes_[s]);
   }
   if (!judgeWith([&](std::size_t s) { return Objective::allowedBy(trialMoments_[s]); })) return false;
+  if (leftOut_) return true;
   const std::uint32_t n = resolve(changes, count);
   return judgeWith([&](std::size_t s) { return patches_[s]->hoped(changes_.data(), n); }) &&
          judgeWith([&](std::size_t s) { return patches_[s]->changed(changes_.data(), n); });
@@ -244,7 +248,8 @@ void Evaluator::hopeFor(std::uint32_t k, const FluxChange* changes, std::uint32_
       means_[at] = points.mean;
       least_[at] = points.least;
     } else if (patches_[s]) {
-      const Extremes hoped = patches_[s]->hoped(changes_.data(), n);
+      const Extremes hoped = leftOut_ ? Objective::allowedBy({means_[at], variances_[at]})
+                                      : patches_[s]->hoped(changes_.data(), n);
       least_[at] = hoped.minimumLow;
       most_[at] = hoped.maximumHigh;
     }
@@ -254,7 +259,7 @@ void Evaluator::hopeFor(std::uint32_t k, const FluxChange* changes, std::uint32_
 /// The same of all that are surveyed for one luminaire.
 void Evaluator::hopeForMoves(std::uint32_t i, const std::uint32_t* candidates) {
   if (!objective_.needsExtremes()) return;
-  if (!hasPoints_ && !prepared_.isTied()) {
+  if (!hasPoints_ && !prepared_.isTied() && !leftOut_) {
     for (std::size_t s = 0, at = 0; s < moments_.size(); ++s, at += kSurveyStride)
       if (patches_[s])
         patches_[s]->hopedOfMoves(sites_[i], flux_[i], candidates, kSurveyed, &least_[at], &most_[at]);
@@ -371,7 +376,7 @@ void Evaluator::apply(const Trial& trial) {
   }
   if (++appliedSince_ == kMostDrift)
     lightPatches();
-  else
+  else if (!leftOut_)
     for (std::optional<PatchExtremes>& patches : patches_)
       if (patches) patches->apply(changes_.data(), n);
   refresh();

@@ -4,6 +4,7 @@
 // d^T (C x) + d^T C d, and d has two entries a move.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <optional>
 #include <vector>
@@ -79,6 +80,14 @@ class Evaluator {
   /// aim. Firm ones restore the order of `isBetter`.
   void setPrices(const Prices& prices) { prices_ = prices; }
 
+  /// Must patches be lit to judge a layout?
+  bool lightsPatches() const {
+    return std::any_of(patches_.begin(), patches_.end(), [](const auto& each) { return each.has_value(); });
+  }
+  /// From the next load() on, true extremes are the best that mean and variance allow (Objective::allowedBy),
+  /// and no patch is lit; or, again, what the patches say.
+  void leaveOutExtremes(bool leftOut) { leftOut_ = leftOut; }
+
   /// Makes the moves of a trial. With FIATLUX_CHECK_DELTA (the sanitizer build) it asserts that the trial,
   /// what the cached sums say afterwards and a full evaluation agree.
   void apply(const Trial& trial);
@@ -134,7 +143,7 @@ class Evaluator {
   std::vector<std::optional<VarianceInTurn>> inTurn_;  // and of it for layouts that it does not stand at
   std::vector<std::optional<PatchExtremes>> patches_;  // of each set that needs extremes
   std::vector<std::optional<PlaneValues>> points_;     // of each set that needs each point of planes
-  bool hasPoints_ = false, maySurvey_ = false;
+  bool hasPoints_ = false, maySurvey_ = false, leftOut_ = false;
   std::uint32_t appliedSince_ = 0;         // layouts since all patches were lit
   std::vector<Extremes> extremes_;         // where it stands, of each set that needs them
   std::vector<Moments> trialMoments_;      // scratch, one per set

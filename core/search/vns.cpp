@@ -21,6 +21,7 @@ constexpr std::uint32_t kCrossings = 2;       // tried before a local search beg
 constexpr std::uint32_t kTrialsOfChild = 14;  // a luminaire, by the steps of a tabu search
 constexpr std::uint32_t kMostInVain = 15;     // crossings in a row, until there is another walk
 constexpr std::uint32_t kWalksInVain = 6;     // and at least half of all, until the search starts anew
+constexpr std::uint32_t kMostMisled = 4;      // times: one walk in sixteen leaves true extremes out then
 
 /// How a search goes about, as suits what its steps are.
 struct Pace {
@@ -96,6 +97,21 @@ void Vns::open(const std::vector<std::uint32_t>& sites) {
   begin(sites);
   best_ = evaluator_.sites();
   bestEvaluation_ = evaluator_.current();
+  if (!evaluator_.lightsPatches()) return;
+  relax(true);
+  begin(sites);
+}
+
+/// Leaves true extremes out, or no longer, from the next begin() on.
+void Vns::relax(bool relaxed) {
+  relaxed_ = relaxed;
+  evaluator_.leaveOutExtremes(relaxed);
+}
+
+/// Is the next walk one that leaves true extremes out? Every other one at first.
+bool Vns::isRelaxing() const {
+  const std::uint32_t every = 1u << std::min(misled_, kMostMisled);
+  return evaluator_.lightsPatches() && walks_ % every == 1 % every;
 }
 
 /// Of ties: what is pinned in front, nobody in the places that are left.
@@ -200,6 +216,7 @@ void Vns::take() {
 }
 
 void Vns::keepBest() {
+  if (relaxed_) return;
   if (!isBetter(evaluator_.current(), bestEvaluation_)) return;
   best_ = evaluator_.sites();
   bestEvaluation_ = evaluator_.current();
@@ -210,6 +227,11 @@ void Vns::keepBest() {
 
 /// To the next neighbourhood that is worth while; after the last one the local search has ended.
 void Vns::leave() {
+  if (relaxed_) {
+    walked_ = evaluator_.sites();
+    walkedEvaluation_ = evaluator_.current();
+    return searchTruly();
+  }
   // Where nothing is broken or missed none becomes better at firm prices: it would have been taken before.
   const Evaluation& now = evaluator_.current();
   if (easing_ && (now.violation > 0 || now.missed > 0)) return enter(0);
@@ -354,6 +376,7 @@ std::uint32_t Vns::tryGatherings(std::uint32_t limit) {
 }
 
 void Vns::beginWalk(const std::vector<std::uint32_t>& sites, double heat) {
+  relax(isRelaxing());
   begin(sites);
   foundSince_ = false;
   follow(sites);
@@ -396,8 +419,23 @@ void Vns::endWalk() {
   }
   const bool isPaired = freeSites_.counts() || prepared_.isOfTypes();
   const std::uint64_t turn = freeSites_.movable().size() * prepared_.candidateCount();
-  thorough_ = isPaired || (foundSince_ && walk_.trials() > paceOf(here()).worthTurns * turn);
+  thorough_ = !relaxed_ && (isPaired || (foundSince_ && walk_.trials() > paceOf(here()).worthTurns * turn));
+  relaxed_ ? searchTruly() : begin(walked_);
+}
+
+/// A local search with true extremes from what was found without them. That was misleading where it would
+/// have been the best layout and is not.
+void Vns::searchTruly() {
+  const bool wouldBeBest = isBetter(walkedEvaluation_, bestEvaluation_);
+  relax(false);
   begin(walked_);
+  if (wouldBeBest) {
+    if (isBetter(walkedEvaluation_, evaluator_.current()))
+      ++misled_;
+    else if (misled_ > 0)
+      --misled_;
+  }
+  keepBest();
 }
 
 }  // namespace fiatlux

@@ -4,8 +4,10 @@
 // turns. Between walks, good layouts that were found are crossed. Where all moves can be looked at together,
 // every other walk and what follows a crossing take the steps of a tabu search. When that has found nothing
 // better for long, all of it starts anew from a random layout: many searches one after another find what one
-// long one does not. A pure function of scene, intentions, start and seed; it advances in slices of any size
-// without changing its path.
+// long one does not. Bounds on true extremes are left out at first and of every other walk, more or less
+// often as that misleads: luminaires that can be dimmed meet them anyhow, and are dimmed so where they are
+// put badly, which hides what else they are worth. A pure function of scene, intentions, start and seed; it
+// advances in slices of any size without changing its path.
 #pragma once
 
 #include <cstddef>
@@ -77,6 +79,9 @@ class Vns {
   void beginWalk(const std::vector<std::uint32_t>& sites, double heat);
   void closeStep();
   void endWalk();
+  void searchTruly();
+  void relax(bool relaxed);
+  bool isRelaxing() const;
   Surroundings here() {
     return {evaluator_, freeSites_, random_, crossing_ ? 0 : walk_.trials(), walk_.penalty()};
   }
@@ -110,6 +115,8 @@ class Vns {
   bool foundSince_ = false;            // a new incumbent, since it began
   std::vector<std::uint32_t> walked_;  // its best layout
   Evaluation walkedEvaluation_;
+  bool relaxed_ = false;      // true extremes are left out, of a walk or of the first local search
+  std::uint32_t misled_ = 1;  // halves as often the number of walks for which they are
 
   // What local searches have found, and the crossings of it.
   LayoutMemory memory_;

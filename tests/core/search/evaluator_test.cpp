@@ -173,10 +173,10 @@ TEST(Evaluator, WhatManyMovesHopeForIsWhatEachOfThemDoes) {
   Scene scene = smallRoom();
   scene.errorBound.assign(4, 0.01f);
   PatchExtremes extremes(scene, Quantity::kExitance, {1, 2, 3});
-  const std::vector<std::uint32_t> sites = {3, 11, 17}, to = {0, 5, 11, 20};
+  const std::vector<std::uint32_t> sites = {3, 11, 17}, to = {0, 5, 11, 19};
   const std::vector<double> flux = {1000, 1500, 1000};
   extremes.load(sites.data(), flux.data(), 3);
-  for (std::uint32_t site = 0; site < 24; ++site) {  // so that there are several witnesses
+  for (std::uint32_t site = 0; site < scene.sites.size(); ++site) {  // so that there are several witnesses
     const FluxChange changes[2] = {{17, -1000}, {site, 1000}};
     extremes.changed(changes, 2);
   }
@@ -190,6 +190,41 @@ TEST(Evaluator, WhatManyMovesHopeForIsWhatEachOfThemDoes) {
     EXPECT_GE(least[k], is.minimumLow - 1e-9);
     EXPECT_LE(most[k], is.maximumHigh + 1e-9);
   }
+}
+
+TEST(Evaluator, ExtremesThatAreLeftOutAreTheBestThatMeansAndVariancesAllow) {
+  Scene scene = smallRoom();
+  PreparedScene prepared(scene);
+  Intentions intentions;
+  intentions.luminaires.count = 3;
+  intentions.luminaires.flux = {1000};
+  intentions.luminaires.dimmingLow = 0.2;
+  intentions.goals = {{Statistic::kMean, Sense::kMaximize, 1, {2}, {}}};
+  const double allowed = 1e-3;  // lx: hardly any light
+  intentions.constraints = {{Statistic::kMaximum, 0, allowed, 1, {2}, {}}};
+  Evaluator evaluator(prepared, intentions);
+  EXPECT_TRUE(evaluator.lightsPatches());
+  const std::vector<std::uint32_t> sites = {3, 11, 17};
+  evaluator.load(sites);
+  const Evaluation truly = evaluator.current();
+  evaluator.leaveOutExtremes(true);
+  evaluator.load(sites);
+  const Evaluation relaxed = evaluator.current();
+  EXPECT_LT(relaxed.violation, truly.violation * 0.99);
+  const auto [mean, variance] = evaluator.moments()[0];
+  EXPECT_NEAR(relaxed.violation, (0.2 * (mean + variance / mean) - allowed) / allowed, 1e-6 * mean / allowed);
+
+  Trial trial{{}, 0, kNothingFound};  // what is tried and made is judged alike
+  const std::uint32_t to = 5;
+  evaluator.tryMoves(1, &to, 1, trial);
+  ASSERT_EQ(trial.count, 1u);
+  evaluator.apply(trial);
+  EXPECT_NEAR(evaluator.current().violation, trial.evaluation.violation, 1e-6 * mean / allowed);
+  EXPECT_NEAR(evaluator.evaluate(evaluator.sites()).violation, trial.evaluation.violation,
+              1e-6 * mean / allowed);
+  evaluator.leaveOutExtremes(false);
+  evaluator.load(sites);
+  EXPECT_EQ(evaluator.current().violation, truly.violation);
 }
 
 }  // namespace
