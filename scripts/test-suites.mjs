@@ -71,7 +71,6 @@ export const testSuites = {
   },
 };
 
-/** Tests of a build folder; only how they ended is shown where all is well. */
 /** Runs so many of them at a time; their results in order. */
 async function inTurns(atATime, tasks) {
   const results = [];
@@ -118,6 +117,7 @@ async function wasmTests({ binary, filter, name }) {
   return { passed: tests - failed - disabled, failed: failed || (status === 0 && tests > 0 ? 0 : 1) };
 }
 
+/** Tests of a build folder; only how they ended is shown where all is well. */
 export function ctest(folder) {
   say(`GoogleTest: ${folder}`);
   const result = spawnSync(

@@ -62,6 +62,7 @@ Evaluator::Evaluator(PreparedScene& prepared, const Intentions& intentions, cons
     if (set.ofPoints) points_[s].emplace(prepared, *set.ofPoints);
     hasPoints_ |= set.ofPoints.has_value();
     if (set.needsExtremes) patches_[s].emplace(prepared.scene(), set.quantity, set.surfaces);
+    lightsPatches_ |= set.needsExtremes;
     isFactored |= set.needsVariance && set.statistics->factor;
   }
   maySurvey_ = objective_.maySurvey() && !isFactored;
@@ -72,8 +73,10 @@ Evaluation Evaluator::evaluate(const std::vector<std::uint32_t>& sites) {
   readPoints(sites);
   for (std::size_t s = 0; s < moments_.size(); ++s) {
     if (!patches_[s]) continue;
-    trialExtremes_[s] = Objective::allowedBy(trialMoments_[s]);
-    if (leftOut_) continue;
+    if (leftOut_) {
+      trialExtremes_[s] = Objective::allowedBy(trialMoments_[s]);
+      continue;
+    }
     light(*patches_[s], sites);
     trialExtremes_[s] = patches_[s]->current();
     if (!sites_.empty()) light(*patches_[s], sites_);
@@ -172,6 +175,14 @@ void Evaluator::lightPatches() {
   for (std::optional<PatchExtremes>& patches : patches_)
     if (patches) light(*patches, sites_);
   appliedSince_ = 0;
+}
+
+/// After the first `count` of `changes_`.
+void Evaluator::relightPatches(std::uint32_t count) {
+  if (leftOut_) return;
+  if (++appliedSince_ == kMostDrift) return lightPatches();
+  for (std::optional<PatchExtremes>& patches : patches_)
+    if (patches) patches->apply(changes_.data(), count);
 }
 
 /// Moments, extremes and evaluation of the layout it stands at, from its rows and the light of its patches.
@@ -374,11 +385,7 @@ void Evaluator::apply(const Trial& trial) {
       if (sums) sums->move(sites_[i], to, flux_[i]);
     sites_[i] = to;
   }
-  if (++appliedSince_ == kMostDrift)
-    lightPatches();
-  else if (!leftOut_)
-    for (std::optional<PatchExtremes>& patches : patches_)
-      if (patches) patches->apply(changes_.data(), n);
+  relightPatches(n);
   refresh();
 #ifdef FIATLUX_CHECK_DELTA
   assert(isExact(trial));

@@ -4,7 +4,6 @@
 // d^T (C x) + d^T C d, and d has two entries a move.
 #pragma once
 
-#include <algorithm>
 #include <cstdint>
 #include <optional>
 #include <vector>
@@ -81,9 +80,7 @@ class Evaluator {
   void setPrices(const Prices& prices) { prices_ = prices; }
 
   /// Must patches be lit to judge a layout?
-  bool lightsPatches() const {
-    return std::any_of(patches_.begin(), patches_.end(), [](const auto& each) { return each.has_value(); });
-  }
+  bool lightsPatches() const { return lightsPatches_; }
   /// From the next load() on, true extremes are the best that mean and variance allow (Objective::allowedBy),
   /// and no patch is lit; or, again, what the patches say.
   void leaveOutExtremes(bool leftOut) { leftOut_ = leftOut; }
@@ -108,6 +105,7 @@ class Evaluator {
   bool settleExtremes(const FluxChange* changes, std::uint32_t count, const Evaluation& toBeat,
                       Evaluation& result);
   void lightPatches();
+  void relightPatches(std::uint32_t count);
   void refresh();
   Prices surveyPrices() const;
   void addComing(const Slope& slope, float* line) const;
@@ -143,7 +141,8 @@ class Evaluator {
   std::vector<std::optional<VarianceInTurn>> inTurn_;  // and of it for layouts that it does not stand at
   std::vector<std::optional<PatchExtremes>> patches_;  // of each set that needs extremes
   std::vector<std::optional<PlaneValues>> points_;     // of each set that needs each point of planes
-  bool hasPoints_ = false, maySurvey_ = false, leftOut_ = false;
+  bool hasPoints_ = false, lightsPatches_ = false, maySurvey_ = false;
+  bool leftOut_ = false;                   // true extremes
   std::uint32_t appliedSince_ = 0;         // layouts since all patches were lit
   std::vector<Extremes> extremes_;         // where it stands, of each set that needs them
   std::vector<Moments> trialMoments_;      // scratch, one per set

@@ -420,7 +420,8 @@ void Vns::endWalk() {
   const bool isPaired = freeSites_.counts() || prepared_.isOfTypes();
   const std::uint64_t turn = freeSites_.movable().size() * prepared_.candidateCount();
   thorough_ = !relaxed_ && (isPaired || (foundSince_ && walk_.trials() > paceOf(here()).worthTurns * turn));
-  relaxed_ ? searchTruly() : begin(walked_);
+  if (relaxed_) return searchTruly();
+  begin(walked_);
 }
 
 /// A local search with true extremes from what was found without them. That was misleading where it would

@@ -116,7 +116,7 @@ class Vns {
   std::vector<std::uint32_t> walked_;  // its best layout
   Evaluation walkedEvaluation_;
   bool relaxed_ = false;      // true extremes are left out, of a walk or of the first local search
-  std::uint32_t misled_ = 1;  // halves as often the number of walks for which they are
+  std::uint32_t misled_ = 1;  // one walk in 2^misled_ leaves them out
 
   // What local searches have found, and the crossings of it.
   LayoutMemory memory_;

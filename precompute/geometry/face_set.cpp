@@ -16,6 +16,7 @@ constexpr std::size_t kLeastWork = 20'000'000, kWorkOfEdge = 500;
 
 constexpr std::size_t kManyFaces = 16;  // on one edge: each is then the neighbour of the next alone
 
+/// note: not by std::tie, which stays a dozen calls where the code is made small for the page.
 bool edgeLess(const SubEdge& x, const SubEdge& y) {
   return x.a != y.a ? x.a < y.a : x.b != y.b ? x.b < y.b : x.face < y.face;
 }

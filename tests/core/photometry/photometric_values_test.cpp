@@ -15,6 +15,7 @@ using samples::cosinePower;
 using samples::IesFile;
 using samples::read;
 using samples::sine;
+using std::numbers::pi;
 
 Photometry tableOf(std::vector<double> gamma, std::vector<double> c, samples::Distribution candela) {
   IesFile file;
@@ -25,9 +26,7 @@ Photometry tableOf(std::vector<double> gamma, std::vector<double> c, samples::Di
 TEST(PhotometricValues, FluxOfAPowerOfTheCosine) {
   for (const double n : {1.0, 2.0, 4.0, 20.0, 126.0}) {
     const Photometry p = tableOf(angles(0, 90, 0.25), {0}, cosinePower(1000, n));
-    EXPECT_NEAR(integratedFlux(p), 2 * std::numbers::pi * 1000 / (n + 1),
-                2e-3 * 2 * std::numbers::pi * 1000 / (n + 1))
-        << n;
+    EXPECT_NEAR(integratedFlux(p), 2 * pi * 1000 / (n + 1), 2e-3 * 2 * pi * 1000 / (n + 1)) << n;
     EXPECT_EQ(upwardShare(p), 0);
   }
 }
@@ -49,7 +48,7 @@ TEST(PhotometricValues, FluxIsExactForWhatIsReadBetweenTheAngles) {
           const double gamma = from + 2.5 * (1 + kNodes[b]);
           sum += kWeights[a] * kWeights[b] * half * 2.5 * intensityAt(p, c, gamma) * sine(gamma);
         }
-  const double flux = 4 * sum * (std::numbers::pi / 180) * (std::numbers::pi / 180);
+  const double flux = 4 * sum * (pi / 180) * (pi / 180);
   EXPECT_NEAR(integratedFlux(p), flux, 1e-6 * flux);
 }
 
@@ -63,9 +62,7 @@ TEST(PhotometricValues, UpwardShareSplitsAStepAtTheHorizontal) {
 TEST(PhotometricValues, BeamAndFieldOfAPowerOfTheCosine) {
   for (const double n : {1.0, 4.0, 20.0, 126.0}) {
     const Photometry p = tableOf(angles(0, 90, 0.5), {0}, cosinePower(1000, n));
-    const auto full = [&](double share) {
-      return 2 * std::acos(std::pow(share, 1 / n)) * 180 / std::numbers::pi;
-    };
+    const auto full = [&](double share) { return 2 * std::acos(std::pow(share, 1 / n)) * 180 / pi; };
     EXPECT_NEAR(openingAngle(p, 0.5), full(0.5), 0.01) << n;
     EXPECT_NEAR(openingAngle(p, 0.1), full(0.1), 0.02) << n;
     EXPECT_EQ(maxCandela(p), 1000);
