@@ -185,6 +185,7 @@ class RoomViewer implements Viewer {
     await breath();
     const rim = await inTurn(rimOf(room.lit));
     await breath();
+    await this.#stage.prepare(room.root, this.#rig.active);
     if (turn !== this.#opening || this.#disposed) return room.dispose();
     this.#show(room, scene, rim);
     this.#plan = plan;
@@ -196,7 +197,7 @@ class RoomViewer implements Viewer {
   expectPreview(): void {
     if (this.#expected) return;
     this.#expected = previewSample(drawnSide(this.#display?.cutAway ?? true));
-    this.#stage.startLinking(this.#expected, this.#rig.active);
+    void this.#stage.link(this.#expected, this.#rig.active);
   }
 
   async preview(glb: ArrayBuffer, { keepView = false } = {}): Promise<void> {

@@ -30,7 +30,6 @@ import { siteModel } from './site-model.ts';
 import { isBeyondMemory, longerForMemory, secondsForeseen } from './foreseen.ts';
 import { TimeLeft } from './time-left.ts';
 import { words } from '../../language/language.ts';
-import { breath } from '../../viewer/stage/breath.ts';
 import { reasonOf } from '../../document/reason.ts';
 
 const coarser = 1.6; // times as long are patches then: their number, and the memory of it, falls to 0.4
@@ -39,6 +38,9 @@ export const lessWork = 1 / coarser ** 2; // then, of the work
 const toldEvery = 200; // ms: each time the page is drawn, of which 20 a second take a fifth of two cores without a graphics card
 
 export type CreatePool = () => Promise<BuilderPool>;
+
+/** The page draws a room's first light before the workers of the full pass take all cores. */
+const firstPicture = () => new Promise<void>((resolve) => setTimeout(resolve, 500));
 
 /** The page's own pool, fetched when it is first needed. */
 const usualPool: CreatePool = async () => (await import('../../builder/start-pool.ts')).createPool();
@@ -119,7 +121,7 @@ export class Lighting {
       const room = known ?? (await this.#shelf.nameFor(model.name, first.room.source));
       litRoom.value = this.#modelOf = room;
       const shown = await this.#showDraft(model.name, room, first, running);
-      await breath(); // to begin workers takes long, too
+      await firstPicture();
       const full = await this.#build(pool, measured, 'full', running);
       const isKept = await this.#kept(room, full, model);
       const isShown = await this.#showFull(room, full, shown, isKept, running).catch(endOf(full));

@@ -2,6 +2,7 @@
  * Files by button or drop: scenes, projects, photometric files, and models that are to be lit. Nothing of them leaves the
  * computer.
  */
+import { effect } from '@preact/signals';
 import { readProject, type Project } from '../../document/project-file.ts';
 import { isPhotometricName } from '../../document/photometric-container.ts';
 import type { Model } from '../../builder/protocol.ts';
@@ -101,6 +102,10 @@ export class FileOpening {
     this.#lighting = lighting;
     this.#own = own;
     this.#openProject = openProject;
+    // While nothing else goes on: beside workers it takes seconds.
+    effect(() => {
+      if (store.progress.value.state === 'settled') viewer.expectPreview();
+    });
   }
 
   /** Photometric files all, in their order; a model with those that it names; of other files the first one. */

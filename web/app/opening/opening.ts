@@ -177,6 +177,7 @@ export class Opening {
 
   /** Lets a person choose a file of their own. */
   pick(accept = everything): void {
+    this.#viewer.expectPreview();
     const input = document.createElement('input');
     input.type = 'file';
     input.multiple = true;

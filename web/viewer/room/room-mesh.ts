@@ -9,7 +9,7 @@ import {
   DoubleSide,
   FrontSide,
   LoadingManager,
-  Mesh,
+  type Mesh,
   MeshBasicMaterial,
   MeshLambertMaterial,
   ShaderMaterial,
@@ -28,6 +28,7 @@ import { splitHungMeshes } from './hung-meshes.ts';
 import type { Side } from './standing.ts';
 import type { Box } from '../eye/framing.ts';
 import { inTurn, type Pieces } from '../stage/breath.ts';
+import { meshesUnder } from '../stage/gpu-resources.ts';
 import { words } from '../../language/language.ts';
 import { frontOf } from '../../language/surface-names.ts';
 import { reasonOf } from '../../document/reason.ts';
@@ -110,7 +111,7 @@ export async function readGlb(glb: ArrayBuffer): Promise<Group> {
   try {
     const loader = new GLTFLoader(fromFileAlone).register(plainForKtx2);
     const gltf = await loader.parseAsync(glb, '');
-    for (const mesh of meshesOf(gltf.scene)) deinterleaveGeometry(mesh.geometry);
+    for (const mesh of meshesUnder(gltf.scene)) deinterleaveGeometry(mesh.geometry);
     return gltf.scene;
   } catch (error) {
     const reason = reasonOf(error);
@@ -124,15 +125,9 @@ function boundsOf(root: Object3D): Box {
   return { min: box.min.toArray(), max: box.max.toArray() };
 }
 
-const meshesOf = (root: Object3D): Mesh[] => {
-  const meshes: Mesh[] = [];
-  root.traverse((object) => object instanceof Mesh && meshes.push(object));
-  return meshes;
-};
-
 function freeMeshes(root: Object3D, more: Iterable<Material>): void {
   const materials = new Set<Material>(more);
-  for (const mesh of meshesOf(root)) {
+  for (const mesh of meshesUnder(root)) {
     mesh.geometry.dispose();
     for (const material of [mesh.material].flat()) materials.add(material);
   }
@@ -154,10 +149,10 @@ export function* loadRoomMesh(
   root.updateMatrixWorld(true);
   const lit: LitMesh[] = [];
   const box = boundsOf(root);
-  const solid = meshesOf(root).filter((mesh) => !isMeasuring(mesh, scene));
+  const solid = meshesUnder(root).filter((mesh) => !isMeasuring(mesh, scene));
   yield;
   const { hanging, standing, rugs } = yield* splitHungMeshes(solid, box);
-  const meshes = meshesOf(root);
+  const meshes = meshesUnder(root);
   const sources = new Set<Material>();
   for (const mesh of meshes) {
     const source = mesh.material as MeshStandardMaterial;
@@ -214,14 +209,14 @@ export async function loadPreview(glb: ArrayBuffer, cutAway: boolean): Promise<R
   const root = await readGlb(glb);
   root.updateMatrixWorld(true);
   const looks = new Map<Material, Material>();
-  for (const mesh of meshesOf(root)) {
+  for (const mesh of meshesUnder(root)) {
     const source = mesh.material as MeshStandardMaterial;
     const look = looks.get(source) ?? diffuse(source, drawnSide(cutAway));
     looks.set(source, look);
     mesh.material = look;
   }
   const box = boundsOf(root);
-  const { hanging, standing, rugs } = await inTurn(splitHungMeshes(meshesOf(root), box));
+  const { hanging, standing, rugs } = await inTurn(splitHungMeshes(meshesUnder(root), box));
   const dispose = () => freeMeshes(root, looks.keys());
   return { root, lit: [], hanging, standing, rugs, box, facing: new Map(), dispose };
 }

@@ -1,5 +1,5 @@
 /** What a scene graph needs on the graphics card: programs and textures. */
-import { Texture, type Material, type Object3D, type ShaderMaterial, type WebGLRenderer } from 'three';
+import { Mesh, Texture, type Material, type Object3D, type ShaderMaterial, type WebGLRenderer } from 'three';
 
 /** What three has and its types leave out. */
 export interface Program {
@@ -24,6 +24,12 @@ export function texturesOf(material: Material): readonly Texture[] {
     ...Object.values(uniforms).map((each) => each.value),
   ];
   return values.filter((value): value is Texture => value instanceof Texture);
+}
+
+export function meshesUnder(root: Object3D): readonly Mesh[] {
+  const meshes: Mesh[] = [];
+  root.traverse((object) => object instanceof Mesh && meshes.push(object));
+  return meshes;
 }
 
 export function texturesUnder(root: Object3D): ReadonlySet<Texture> {

@@ -11,18 +11,21 @@ import {
   Scene,
   WebGLRenderer,
   type Camera,
+  type Mesh,
   type Object3D,
 } from 'three';
 import { createBackground } from './background.ts';
 import { breaths } from './breath.ts';
-import { programsOf, texturesUnder, type Program } from './gpu-resources.ts';
+import { meshesUnder, programsOf, texturesUnder, type Program } from './gpu-resources.ts';
 import { words } from '../../language/language.ts';
 
 const maxPixelRatio = 2;
 /** Of the picture's height: a low picture is used to its edge, a plan as far as something is left of it. */
 const mostCovered = 0.27;
 const leastOfPlan = 0.42;
-const longestLink = 3000; // ms: where the context is lost nothing is ever linked
+/** ms: beside workers that have all cores a link takes seconds, and to go on before its end is to wait within a task. */
+const longestLink = 20_000;
+const often = 10; // ms
 
 /**
  * Strips that controls lie over, CSS px: the custom properties --view-top, --view-bottom, --plan-top and --plan-bottom of
@@ -109,10 +112,12 @@ export class Stage {
    * textures that were uploaded before.
    */
   async link(root: Object3D, camera: Camera): Promise<void> {
-    const linked = this.#inDaylight(() => this.renderer.compileAsync(root, camera, this.scene));
-    const late = new Promise((resolve) => setTimeout(resolve, longestLink));
-    await Promise.race([linked, late]);
+    await this.#compile(root, (mesh) =>
+      this.#inDaylight(() => this.renderer.compile(mesh, camera, this.scene)),
+    );
+    this.renderer.getContext().flush(); // else the links wait for the next picture
     const fresh = programsOf(this.renderer).filter((program) => !this.#known.has(program));
+    await this.#until(() => fresh.every((program) => program.isReady()));
     if (fresh.length > 0) await this.#caughtUp();
     const pause = breaths();
     for (const program of fresh) {
@@ -120,15 +125,13 @@ export class Stage {
       this.#known.add(program);
       await pause();
     }
-    for (const texture of texturesUnder(root)) {
-      this.renderer.initTexture(texture);
-      await pause();
-    }
+    await this.#upload(root);
   }
 
-  /** Starts the linking of such a room's programs, and returns at once. */
-  startLinking(root: Object3D, camera: Camera): void {
-    this.#inDaylight(() => this.renderer.compile(root, camera, this.scene));
+  /** The same of a room with light, whose programs are those of the warm-up. */
+  async prepare(root: Object3D, camera: Camera): Promise<void> {
+    await this.#compile(root, (mesh) => this.renderer.compile(mesh, camera, this.scene));
+    await this.#upload(root);
   }
 
   /** Draws the picture, or the part of it between two shares of its width. */
@@ -187,19 +190,41 @@ export class Stage {
     const fence = gl.fenceSync(gl.SYNC_GPU_COMMANDS_COMPLETE, 0);
     if (!fence) return;
     gl.flush();
-    const until = performance.now() + longestLink;
-    while (performance.now() < until && gl.getSyncParameter(fence, gl.SYNC_STATUS) !== gl.SIGNALED)
-      await new Promise((resolve) => setTimeout(resolve, 10));
+    await this.#until(() => gl.getSyncParameter(fence, gl.SYNC_STATUS) === gl.SIGNALED);
     gl.deleteSync(fence);
   }
 
+  /** Ends when something is so; at once in a lost context, where nothing ever comes to an end. */
+  async #until(isSo: () => boolean): Promise<void> {
+    const gl = this.renderer.getContext();
+    const late = performance.now() + longestLink;
+    while (!isSo() && !gl.isContextLost() && performance.now() < late)
+      await new Promise((resolve) => setTimeout(resolve, often));
+  }
+
+  /** Finds the program of each material, and begins to link what is new. */
+  async #compile(root: Object3D, compile: (mesh: Mesh) => void): Promise<void> {
+    const pause = breaths();
+    for (const mesh of meshesUnder(root)) {
+      compile(mesh);
+      await pause();
+    }
+  }
+
+  async #upload(root: Object3D): Promise<void> {
+    const pause = breaths();
+    for (const texture of texturesUnder(root)) {
+      this.renderer.initTexture(texture);
+      await pause();
+    }
+  }
+
   /** With the lights by which a room without light is seen. */
-  #inDaylight<T>(compile: () => T): T {
+  #inDaylight(compile: () => void): void {
     const { visible } = this.daylight;
     this.daylight.visible = true;
-    const result = compile();
+    compile();
     this.daylight.visible = visible;
-    return result;
   }
 
   #resize = (): void => {
