@@ -57,6 +57,7 @@ export function recordWorkers() {
           revision,
           askedAt,
           postedAt,
+          isSettled: data.type === 'settled',
           violation: shown.violation,
           value: shown.goals[0].value,
         });

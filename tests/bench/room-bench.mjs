@@ -1,6 +1,7 @@
 /**
  * Rooms that the page computes itself. Under Node: the whole pass in Wasm beside the command, in processor time, and how far
- * their statistics are apart. In Chromium: how long from the drop of a model on the built page until it is lit.
+ * their statistics are apart. In Chromium: how long from the drop of a model on the built page until it is lit, and how
+ * long the page's own tasks are meanwhile.
  */
 import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
@@ -95,7 +96,16 @@ export async function pageBesideCommand(root, model, command) {
   }
 }
 
-/** Drops a file on the page; its clock then, ms. */
+/** In the page, before its scripts: writes down its tasks of more than 50 ms. */
+function recordTasks() {
+  const tasks = (globalThis.__tasks = []);
+  new PerformanceObserver((list) => {
+    for (const { startTime, duration } of list.getEntries())
+      tasks.push({ begun: startTime, lasted: duration });
+  }).observe({ type: 'longtask' });
+}
+
+/** Holds a file over the page for a second, as a hand does at least, and drops it; the page's clock then, ms. */
 function drop(page, name, contents) {
   return page.evaluate(
     async ([file, data]) => {
@@ -104,24 +114,33 @@ function drop(page, name, contents) {
       transfer.items.add(new File([bytes], file));
       performance.clearMarks();
       globalThis.__record.answered.length = 0;
-      const at = performance.now();
-      for (const type of ['dragenter', 'dragover', 'drop'])
+      const tell = (type) =>
         document
           .querySelector('main')
           .dispatchEvent(new DragEvent(type, { dataTransfer: transfer, bubbles: true, cancelable: true }));
+      tell('dragenter');
+      tell('dragover');
+      await new Promise((resolve) => setTimeout(resolve, 1000));
+      const at = performance.now();
+      tell('drop');
       return at;
     },
     [name, contents.toString('base64')],
   );
 }
 
-/** ms from the drop of a model on the built page until its preview is on the screen in the light of a layout, and its full light. */
+/**
+ * ms from the drop of a model on the built page, whose search has ended, until its preview is on the screen in the light of a
+ * layout, and its full light; and the longest task of the page until a second later, 0 where none is longer than 50 ms.
+ */
 export function dropToLight(root, model) {
   return served(root, (address) =>
     inBrowser(async (page) => {
       await page.addInitScript(recordWorkers);
+      await page.addInitScript(recordTasks);
       await page.goto(`${address}?room=box`);
-      await page.waitForFunction(() => globalThis.__record.answered.length > 0, null, { timeout: patience });
+      const isAtRest = () => globalThis.__record.answered.some(({ isSettled }) => isSettled);
+      await page.waitForFunction(isAtRest, null, { timeout: patience });
       const begun = await drop(page, `dropped ${path.basename(model)}`, readFileSync(model));
       // The layout that is answered after the room was put on the screen is that of this room.
       const lit = (nth) =>
@@ -138,7 +157,11 @@ export function dropToLight(root, model) {
             { timeout: patience },
           )
           .then((handle) => handle.jsonValue());
-      return { preview: (await lit(0)) - begun, full: (await lit(1)) - begun };
+      const [preview, full] = [(await lit(0)) - begun, (await lit(1)) - begun];
+      await page.waitForTimeout(1000);
+      const tasks = await page.evaluate(() => globalThis.__tasks);
+      const longest = Math.max(0, ...tasks.filter((task) => task.begun > begun).map(({ lasted }) => lasted));
+      return { preview, full, longest };
     }),
   );
 }
