@@ -13,6 +13,7 @@ import { openSession, wishOf } from './open-session.mjs';
 
 const layouts = 24; // half of one luminaire, half of six
 const least = 1e-3; // of the room's mean: below it a surface is as good as dark
+const rest = 5000; // ms: a person looks at the page before; until then it makes ready what draws a model
 const patience = 900_000; // ms, for light in full
 
 /** A scene file made by the module that the page uses, by one worker in this process; and the seconds of processor it took. */
@@ -141,6 +142,7 @@ export function dropToLight(root, model) {
       await page.goto(`${address}?room=box`);
       const isAtRest = () => globalThis.__record.answered.some(({ isSettled }) => isSettled);
       await page.waitForFunction(isAtRest, null, { timeout: patience });
+      await page.waitForTimeout(rest);
       const begun = await drop(page, `dropped ${path.basename(model)}`, readFileSync(model));
       // The layout that is answered after the room was put on the screen is that of this room.
       const lit = (nth) =>
