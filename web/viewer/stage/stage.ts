@@ -11,7 +11,6 @@ import {
   Scene,
   WebGLRenderer,
   type Camera,
-  type Mesh,
   type Object3D,
 } from 'three';
 import { createBackground } from './background.ts';
@@ -112,9 +111,7 @@ export class Stage {
    * textures that were uploaded before.
    */
   async link(root: Object3D, camera: Camera): Promise<void> {
-    await this.#compile(root, (mesh) =>
-      this.#inDaylight(() => this.renderer.compile(mesh, camera, this.scene)),
-    );
+    await this.#compile(root, camera, true);
     this.renderer.getContext().flush(); // else the links wait for the next picture
     const fresh = programsOf(this.renderer).filter((program) => !this.#known.has(program));
     await this.#until(() => fresh.every((program) => program.isReady()));
@@ -130,7 +127,7 @@ export class Stage {
 
   /** The same of a room with light, whose programs are those of the warm-up. */
   async prepare(root: Object3D, camera: Camera): Promise<void> {
-    await this.#compile(root, (mesh) => this.renderer.compile(mesh, camera, this.scene));
+    await this.#compile(root, camera, false);
     await this.#upload(root);
   }
 
@@ -202,11 +199,17 @@ export class Stage {
       await new Promise((resolve) => setTimeout(resolve, often));
   }
 
-  /** Finds the program of each material, and begins to link what is new. */
-  async #compile(root: Object3D, compile: (mesh: Mesh) => void): Promise<void> {
+  /**
+   * Finds the program of each material, and begins to link what is new: one with the lights by which a room without light is
+   * seen is another one, whatever is seen now.
+   */
+  async #compile(root: Object3D, camera: Camera, inDaylight: boolean): Promise<void> {
     const pause = breaths();
     for (const mesh of meshesUnder(root)) {
-      compile(mesh);
+      const { visible } = this.daylight;
+      this.daylight.visible = inDaylight;
+      this.renderer.compile(mesh, camera, this.scene);
+      this.daylight.visible = visible;
       await pause();
     }
   }
@@ -217,14 +220,6 @@ export class Stage {
       this.renderer.initTexture(texture);
       await pause();
     }
-  }
-
-  /** With the lights by which a room without light is seen. */
-  #inDaylight(compile: () => void): void {
-    const { visible } = this.daylight;
-    this.daylight.visible = true;
-    compile();
-    this.daylight.visible = visible;
   }
 
   #resize = (): void => {
