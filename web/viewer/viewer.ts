@@ -53,7 +53,7 @@ import type {
 } from './types.ts';
 import { ViewInput } from './hand/view-input.ts';
 import { Wipe } from './wipe.ts';
-import { previewSample, warmUp } from './warm-up.ts';
+import { litSample, previewSample } from './program-samples.ts';
 
 const noRim = new Float32Array(0);
 const twoStoreys = 4.2; // m: a lower room has one
@@ -101,7 +101,7 @@ class RoomViewer implements Viewer {
   #opening = 0; // the latest open or preview wins
   #looked: Promise<void> = Promise.resolve(); // whether it is a building is known
   #unlit = false; // a room is there, its first light not yet: the picture before it stays
-  #cool: () => void; // frees what was warmed up
+  #lit: Object3D; // holds the programs of a room with light
   #expected: Object3D | null = null; // holds the programs of a room without light
   #ready = false; // every part is there
   #disposed = false;
@@ -162,7 +162,8 @@ class RoomViewer implements Viewer {
       preview: () => (this.#info ? null : (this.#room?.root ?? null)),
       isFloor: ({ y }) => this.#section.isFloor(y),
     });
-    this.#cool = warmUp(this.#stage.renderer, this.#rig.active, this.#light.uniforms);
+    this.#lit = litSample(this.#light.uniforms);
+    void this.#stage.link(this.#lit, this.#rig.active, { inDaylight: false });
     this.#ready = true;
     this.#loop.invalidate();
   }
@@ -416,7 +417,7 @@ class RoomViewer implements Viewer {
     this.#loop.suspend();
     this.#input.dispose();
     this.#clearRoom();
-    this.#cool();
+    freeGpu(this.#lit);
     this.#forgetExpected();
     this.#tags.dispose();
     this.#planeLabels.dispose();

@@ -110,8 +110,8 @@ export class Stage {
    * textures on their way, in short tasks. Within a frame, each first question about a program would wait for all
    * textures that were uploaded before.
    */
-  async link(root: Object3D, camera: Camera): Promise<void> {
-    await this.#compile(root, camera, true);
+  async link(root: Object3D, camera: Camera, { inDaylight = true } = {}): Promise<void> {
+    await this.#compile(root, camera, inDaylight);
     this.renderer.getContext().flush(); // else the links wait for the next picture
     const fresh = programsOf(this.renderer).filter((program) => !this.#known.has(program));
     await this.#until(() => fresh.every((program) => program.isReady()));
@@ -125,7 +125,7 @@ export class Stage {
     await this.#upload(root);
   }
 
-  /** The same of a room with light, whose programs are those of the warm-up. */
+  /** The same of a room with light, whose programs were linked when the page began. */
   async prepare(root: Object3D, camera: Camera): Promise<void> {
     await this.#compile(root, camera, false);
     await this.#upload(root);
