@@ -2,6 +2,7 @@
 import { expect, test } from '@jest/globals';
 import { fitLegend } from '../../../../web/app/state/legend-range.ts';
 import { Store } from '../../../../web/app/state/store.ts';
+import type { SceneInfo } from '../../../../web/document/types.ts';
 import type { Shown } from '../../../../web/solver/protocol.ts';
 
 const lit = (mean: number) => ({ surfaces: [{ name: 'floor', mean, area: 1 }] }) as unknown as Shown;
@@ -27,6 +28,22 @@ test('round ends that hold the light stay', () => {
   expect(ends(300, { range: [0, 800] })).toEqual([0, 800]);
   expect(ends(300, { range: [0, 300] })).toEqual([0, 800]);
   expect(ends(300, { logarithmic: true, range: [0, 800] })).toEqual([10, 800]);
+});
+
+test('what an intention names lies within the ends, however dark the room around it is', () => {
+  const store = new Store();
+  const [wall, work] = [
+    { name: 'wall', mean: 10, area: 50 },
+    { name: 'work', mean: 42, area: 1 },
+  ];
+  const shown = { surfaces: [wall, work, { name: 'all', mean: 11, area: 51 }] } as unknown as Shown;
+  store.scene.value = { surfaces: [wall, work] } as unknown as SceneInfo;
+  store.display.value = { ...store.display.value, range: [0, 0] };
+  fitLegend(store, shown);
+  expect(store.display.value.range).toEqual([0, 30]);
+  store.edit('a card', (draft) => void (draft.cards = [{ surfaces: ['work'] }] as never));
+  fitLegend(store, shown);
+  expect(store.display.value.range).toEqual([0, 60]);
 });
 
 test('locked ends stay, whatever the light', () => {
