@@ -102,8 +102,8 @@ function outcomeOf(shown: Standing | null): Outcome | null {
 }
 
 /**
- * What is known of each number: what its own short trial found or, where that met less, the longer search for the rule that
- * is asked for or the layout shown, which hangs so many, too.
+ * What is known of each number: of the one that hangs what hangs, where that meets everything; of others what their own
+ * short trial found or, where that met less, the longer search for the rule that is asked for, of as many.
  */
 export function countsKnown(
   { counts, rules: tried }: Pick<Comparison, 'counts' | 'rules'>,
@@ -111,10 +111,11 @@ export function countsKnown(
   shown: Standing | null,
 ): readonly CountTried[] {
   const found = tried.find((each) => each.rule === rule)?.outcome;
-  const witnesses = [found?.met ? found : null, outcomeOf(shown)].filter((each) => each !== null);
+  const hanging = outcomeOf(shown);
   return counts.map((each) => {
-    const witness = witnesses.find(({ layout }) => layout.sites.length === each.count);
-    return each.outcome?.met || !witness ? each : { ...each, outcome: witness };
+    const isOf = (outcome: Outcome | null | undefined) => outcome?.layout.sites.length === each.count;
+    if (isOf(hanging)) return { ...each, outcome: hanging };
+    return found?.met && isOf(found) && !each.outcome?.met ? { ...each, outcome: found } : each;
   });
 }
 

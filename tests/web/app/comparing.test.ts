@@ -127,6 +127,8 @@ test('a number that the layout shown or a longer search meets is not called miss
   expect(metOf(countsKnown(tried, 'rows', shown))).toEqual([false, true, true, true]);
   expect(countsKnown(tried, 'rows', shown)[1]?.outcome?.lumens).toBe(5);
   expect(metOf(countsKnown(tried, 'free', null))).toEqual([false, false, false, true]);
+  const brighter = { ...shown, layout: { ...reached(7, true).layout, dimming: 1 } };
+  expect(countsKnown(tried, 'rows', brighter)[3]?.outcome?.lumens).toBe(14); // what hangs, not its trial
   const missed = [{ value: 1, met: false, violation: 1, margin: -1 }];
   expect(metOf(countsKnown(tried, 'free', { ...shown, constraints: missed }))).toEqual([
     false,
