@@ -45,6 +45,7 @@ export const luminaires: Words['luminaires'] = {
     notWithin: 'Nicht in den Flächen im Grundriss. Alles ist erfüllt:',
     anywhere: 'ohne diese Flächen',
     more: (count) => `Oder ${count} ${count === 1 ? 'Leuchte' : 'Leuchten'} mehr`,
+    upTo: (count) => `Oder bis zu ${count} Leuchten`,
   },
   counts: {
     name: 'Was jede Zahl von Leuchten erreichen würde',

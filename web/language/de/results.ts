@@ -73,7 +73,7 @@ export const results: Words['results'] = {
     perSurface: 'Je Fläche',
     power: 'Leistung',
     leniTip: 'EN 15193-1: Energie für Licht im Jahr, nach Stunden und Steuerung darunter',
-    per100: (value, plane) => `, ${value} W/m² je 100 lx von ${plane}`,
+    per100: (value, plane) => `, ${value} W/m² je 100 lx (${plane})`,
     efficacy: 'Ausbeute',
     luminousEfficacy: 'Lichtausbeute',
   },

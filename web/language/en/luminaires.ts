@@ -44,6 +44,7 @@ export const luminaires = {
     notWithin: 'Not within the areas in plan. All is met:',
     anywhere: 'without these areas',
     more: (count: number) => `Or ${count} more ${count === 1 ? 'luminaire' : 'luminaires'}`,
+    upTo: (count: number) => `Or up to ${count} luminaires`,
   },
   counts: {
     name: 'What each number of luminaires would reach',

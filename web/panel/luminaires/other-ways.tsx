@@ -78,16 +78,16 @@ export function EasedRules({ rules: ways }: { rules: readonly RuleWay[] }) {
   );
 }
 
-/** "3 more luminaires", where so many were found to do. */
+/** "3 more luminaires", or up to so many where their number is a range, where so many were found to do. */
 export function MoreLuminaires() {
   const { store } = useApp();
   const comparison = store.comparison.value;
   const { count, most = count } = store.document.value.luminaires;
+  const { arrangement } = words.value.luminaires;
   if (comparison?.of !== store.traced.value.intentions) return null;
   const counts = [...comparison.counts, ...comparison.beyond].filter((each) => each.count > most);
   const fewest = fewestMet({ counts });
   if (fewest === null) return null;
-  const more = fewest - most;
   const add = () =>
     store.edit(
       words.value.steps.addLuminaires,
@@ -100,7 +100,7 @@ export function MoreLuminaires() {
     );
   return (
     <button class="button small" onClick={add}>
-      {words.value.luminaires.arrangement.more(more)}
+      {most > count ? arrangement.upTo(fewest) : arrangement.more(fewest - most)}
     </button>
   );
 }
