@@ -10,8 +10,10 @@ export interface Proved {
   readonly isNear: boolean;
 }
 
+export const isBest = (gap: number): boolean => gap < best;
+
 /** `gap`: no layout is better by more than this share. */
 export function provedOf(gap: number): Proved {
   const { status } = words.value.panel;
-  return { text: gap < best ? status.best : status.within(percentAtMost(gap)), isNear: gap < near };
+  return { text: isBest(gap) ? status.best : status.within(percentAtMost(gap)), isNear: gap < near };
 }

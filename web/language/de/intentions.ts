@@ -12,6 +12,8 @@ export const intentions: Words['intentions'] = {
     sliderOf: (name) => `${name}: etwa`,
     tooMuch: 'Sie geben mehr als das.',
     tooLittle: 'Sie geben weniger als das.',
+    noneNearer: 'Keine Anordnung, die alles andere erfüllt, kommt näher heran.',
+    noneFoundNearer: 'Keine, die alles andere erfüllt, wurde näher daran gefunden.',
     dim: 'Dimmen lassen',
     fluxEach: (flux) => `Je ${flux} lm`,
   },
@@ -119,6 +121,9 @@ export const intentions: Words['intentions'] = {
   lightAs: (type: string) => `Beleuchten als: ${type}`,
   firstHint:
     'Den Regler ziehen: Die Leuchten finden neue Plätze. Anzahl und Reihen stehen unter Leuchten, das Urteil unter Ergebnisse.',
+  firstHintOfField:
+    'Die Leuchten hängen als regelmäßiges Feld, wovon es wenige gibt. Frei gehängt folgen sie dem Regler; Anzahl und Reihen stehen unter Leuchten.',
+  hangFreely: 'Frei hängen',
   glare: {
     none: 'Blendfrei',
     most: 'UGR höchstens',

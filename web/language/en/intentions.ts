@@ -11,6 +11,8 @@ export const intentions = {
     sliderOf: (name: string) => `${name}: about`,
     tooMuch: 'They give more than that.',
     tooLittle: 'They give less than that.',
+    noneNearer: 'No layout that meets all else comes nearer.',
+    noneFoundNearer: 'None that meets all else was found nearer.',
     dim: 'Let them dim',
     fluxEach: (flux: string) => `${flux} lm each`,
   },
@@ -120,6 +122,9 @@ export const intentions = {
   lightAs: (type: string) => `Light it as: ${type.toLowerCase()}`,
   firstHint:
     'Drag the slider: the luminaires find new places. Number and rows are under Luminaires, the verdict under Results.',
+  firstHintOfField:
+    'The luminaires hang as a regular field, which few layouts are. Hung freely, they follow the slider; number and rows are under Luminaires.',
+  hangFreely: 'Hang them freely',
   glare: {
     none: 'No glare',
     most: 'UGR at most',

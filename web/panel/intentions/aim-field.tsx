@@ -7,11 +7,13 @@ import { compact, niceStep, unitOf } from '../../app/words/format.ts';
 import { namesText } from '../../app/words/places.ts';
 import { NumberField } from '../controls/number-field.tsx';
 import { Slider } from '../controls/slider.tsx';
-import { pullsBack, wayToAim } from '../../document/aim.ts';
+import { missesAim, pullsBack, wayToAim, type AimWay } from '../../document/aim.ts';
 import { boundedBy, withOptional } from '../../document/intentions.ts';
 import type { Constraint, Verb } from '../../document/types.ts';
 import type { Axis, CardProps } from './card-hooks.ts';
 import { useReached } from './use-reached.ts';
+import { isBest } from '../../app/words/proved.ts';
+import { HangFreely } from './hang-freely.tsx';
 import { words } from '../../language/language.ts';
 import { shortest } from '../../language/numbers.ts';
 
@@ -78,19 +80,24 @@ export function AimField({ card, axis }: CardProps & { axis: Axis }) {
 
 /**
  * Where the slider asks for more or less than these luminaires give: one click that brings it within reach, unless that
- * would break a bound, or break it further.
+ * would break a bound, or break it further; then that no layout comes nearer.
  */
 function Beyond({ card }: CardProps) {
   const { store } = useApp();
   const reached = useReached(card);
-  const { luminaires } = store.document.value;
   const isSettled = store.progress.value.state === 'settled';
-  const way = reached && isSettled ? wayToAim(luminaires, reached.mean, card.aim) : null;
-  if (!way || !reached || card.aim === undefined) return null;
-  const share = card.aim / reached.mean;
+  if (!isSettled || !reached || !missesAim(reached.mean, card.aim)) return null;
+  const way = wayToAim(store.document.value.luminaires, reached.mean, card.aim);
   const results = store.shown.value?.constraints ?? [];
+  const share = card.aim / reached.mean;
   const isAgainst = (bound: Constraint, i: number) => pullsBack(bound, results[i]?.value ?? NaN, share);
-  if (boundedBy(store.traced.value.intentions).some(isAgainst)) return null;
+  const isHeld = boundedBy(store.traced.value.intentions).some(isAgainst);
+  if (way && !isHeld) return <WayTo way={way} />;
+  return results.every((result) => result.met) ? <NoneNearer /> : null;
+}
+
+function WayTo({ way }: { way: AimWay }) {
+  const { store } = useApp();
   const { aim } = words.value.intentions;
   const { steps } = words.value;
   const isDimmed = 'dimming' in way;
@@ -105,6 +112,19 @@ function Beyond({ card }: CardProps) {
       <button class="button small" onClick={go}>
         {isDimmed ? aim.dim : aim.fluxEach(shortest(way.flux))}
       </button>
+    </div>
+  );
+}
+
+function NoneNearer() {
+  const { store } = useApp();
+  const { aim } = words.value.intentions;
+  const { bound } = store;
+  const isProved = bound.value !== null && isBest(bound.value.gap);
+  return (
+    <div class="row aim-beyond">
+      <span class="field-note">{isProved ? aim.noneNearer : aim.noneFoundNearer}</span>
+      <HangFreely />
     </div>
   );
 }

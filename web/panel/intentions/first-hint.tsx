@@ -1,6 +1,7 @@
 /** The first gesture in one sentence, until something is changed; then never again in this browser. */
 import { useEffect, useState } from 'preact/hooks';
 import { useApp } from '../../app/app.ts';
+import { HangFreely } from './hang-freely.tsx';
 import { words } from '../../language/language.ts';
 
 const key = 'fiatlux-first-hint';
@@ -32,9 +33,11 @@ export function FirstHint() {
     setGone(true);
   }, [isChanged]);
   if (isGone || isChanged || store.document.value.cards.length === 0) return null;
+  const isField = store.document.value.luminaires.arrangement?.rule === 'field';
   return (
-    <p class="first-hint" role="note">
-      {words.value.intentions.firstHint}
-    </p>
+    <div class="first-hint" role="note">
+      <p>{isField ? words.value.intentions.firstHintOfField : words.value.intentions.firstHint}</p>
+      {isField && <HangFreely />}
+    </div>
   );
 }

@@ -6,7 +6,7 @@ import { withSurfaces } from '../../app/state/grid-light.ts';
 import { mostShown } from '../../app/state/statistics.ts';
 import { compact, ratio, unitOf } from '../../app/words/format.ts';
 import { marginText } from '../../app/words/layout-check.ts';
-import { missesAim } from '../../document/aim.ts';
+import { isFarFrom, missesAim } from '../../document/aim.ts';
 import { leafBehind } from '../../document/task-areas.ts';
 import { leavesOf } from '../../document/surface-names.ts';
 import { isUpper, keepRange, withOptional } from '../../document/intentions.ts';
@@ -57,7 +57,7 @@ export function IntentionCard({ card }: CardProps) {
           <span class="card-surface">{namesText(card.surfaces)}</span>
         </button>
         {reached && <span class="card-reached">{reachedText(reached.mean, card.aim, unit)}</span>}
-        <Met status={status} />
+        {!(status?.met && reached && isFarFrom(reached.mean, card.aim)) && <Met status={status} />}
         <button
           class="icon-button small"
           aria-label={words.value.intentions.card.remove(
