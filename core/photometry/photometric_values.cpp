@@ -87,6 +87,15 @@ Reach reachOf(const Profile& profile, double least) {
   return reach;
 }
 
+/// The full angle in the plane of c and c + 180; none where nothing there has `least` cd.
+std::optional<double> openingIn(const Photometry& photometry, double c, bool fromAbove, double least) {
+  const Reach one = reachOf(profileOf(photometry, c, fromAbove), least);
+  const Reach other = reachOf(profileOf(photometry, c + 180, fromAbove), least);
+  if (one.any && other.any) return one.outer + other.outer;
+  if (one.any || other.any) return one.any ? one.outer - one.inner : other.outer - other.inner;
+  return {};
+}
+
 }  // namespace
 
 double integratedFlux(const Photometry& photometry) { return fluxAbove(photometry, 0); }
@@ -110,16 +119,11 @@ double openingAngle(const Photometry& photometry, double share) {
   if (*brightest <= 0) return 0;
   const auto index = static_cast<std::size_t>(brightest - photometry.candela.begin());
   const bool fromAbove = photometry.gamma[index % photometry.gamma.size()] > 90;
-  double sum = 0;
-  for (const double c : {0.0, 90.0}) {
-    const Reach one = reachOf(profileOf(photometry, c, fromAbove), share * *brightest);
-    const Reach other = reachOf(profileOf(photometry, c + 180, fromAbove), share * *brightest);
-    if (one.any && other.any)
-      sum += one.outer + other.outer;
-    else
-      sum += one.any ? one.outer - one.inner : other.outer - other.inner;
-  }
-  return sum / 2;
+  const auto opening = [&](double c) { return openingIn(photometry, c, fromAbove, share * *brightest); };
+  const std::optional<double> along = opening(0), across = opening(90);
+  if (along && across) return (*along + *across) / 2;
+  if (along || across) return along ? *along : *across;
+  return opening(photometry.c[index / photometry.gamma.size()]).value_or(0);
 }
 
 std::optional<double> efficacy(const Photometry& photometry) {

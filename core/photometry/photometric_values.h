@@ -22,10 +22,10 @@ double upwardShare(const Photometry& photometry);
 
 double maxCandela(const Photometry& photometry);
 
-/// Full angle, degrees, between the outermost directions with at least `share` of maxCandela, mean over the
-/// planes C0-C180 and C90-C270 (a plane that stays below counts 0). Sought in the half of space where the
-/// brightest direction lies, and beyond the horizontal as long as the light stays above. 50 %: beam angle; 10
-/// %: field angle.
+/// Full angle, degrees, between the outermost directions with at least `share` of maxCandela, mean over those
+/// of the planes C0-C180 and C90-C270 that have any; where neither has, in the plane of the brightest
+/// direction. Sought in the half of space where that lies, and beyond the horizontal as long as the light
+/// stays above. 50 %: beam angle; 10 %: field angle.
 double openingAngle(const Photometry& photometry, double share);
 
 /// lm emitted per watt; none where the file states no watts.

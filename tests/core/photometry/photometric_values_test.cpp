@@ -87,7 +87,13 @@ TEST(PhotometricValues, BeamOfABatwingReachesItsOuterFlanks) {
 TEST(PhotometricValues, BeamOfALeaningSpotLiesOnOneSide) {
   const Photometry p = tableOf(angles(0, 90, 10), angles(0, 180, 90),
                                [](double c, double gamma) { return c == 0 && gamma == 40 ? 100.0 : 0.0; });
-  EXPECT_NEAR(openingAngle(p, 0.5), 10 / 2.0, 1e-9);  // 35 to 45 in one plane, nothing in the other
+  EXPECT_NEAR(openingAngle(p, 0.5), 10, 1e-9);  // 35 to 45 in one plane, nothing in the other
+}
+
+TEST(PhotometricValues, BeamBetweenThePlanesIsTheOneOfTheBrightestDirection) {
+  const Photometry p = tableOf(angles(0, 90, 10), angles(0, 180, 45),
+                               [](double c, double gamma) { return c == 45 && gamma == 40 ? 100.0 : 0.0; });
+  EXPECT_NEAR(openingAngle(p, 0.5), 10, 1e-9);
 }
 
 TEST(PhotometricValues, BeamOfAnUplightOpensUpwards) {
