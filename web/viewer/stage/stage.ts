@@ -114,10 +114,12 @@ export class Stage {
     await this.#compile(root, camera, inDaylight);
     this.renderer.getContext().flush(); // else the links wait for the next picture
     const fresh = programsOf(this.renderer).filter((program) => !this.#known.has(program));
-    await this.#until(() => fresh.every((program) => program.isReady()));
+    const isFreed = (program: Program) => !programsOf(this.renderer).includes(program); // with what needed it
+    await this.#until(() => fresh.every((program) => isFreed(program) || program.isReady()));
     if (fresh.length > 0) await this.#caughtUp();
     const pause = breaths();
     for (const program of fresh) {
+      if (isFreed(program)) continue;
       program.getUniforms();
       this.#known.add(program);
       await pause();
