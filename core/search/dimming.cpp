@@ -8,7 +8,7 @@ namespace fiatlux {
 namespace {
 
 double excessAt(const DimmedBound& b, double t) {
-  return excessOver(b.bound, b.side, b.scaleFree ? b.value : t * b.value);
+  return b.weight * excessOver(b.bound, b.side, b.scaleFree ? b.value : t * b.value);
 }
 
 /// The part of [low, high] that meets the bound; empty when low > high.

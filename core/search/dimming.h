@@ -16,6 +16,7 @@ struct DimmedBound {
   double bound = 0;
   Side side = Side::kLower;
   bool scaleFree = false;
+  double weight = 1;  // of its excess (missWeightOf)
 };
 
 /// A part of the goal that aims: weight x |t value - target| / target.
@@ -33,7 +34,7 @@ struct DimmedGoal {
 
 /// What a layout is worth. Violations are compared before goals; both are better when smaller.
 struct Evaluation {
-  double violation = 0;  // sum of excessOver
+  double violation = 0;  // sum of weight x excessOver
   double goal = 0;       // sum of weight x signed value / reference value
   double dimming = 1;
   double missed = 0;  // what missed aims add to the goal
@@ -50,7 +51,7 @@ inline bool isBetter(const Evaluation& a, const Evaluation& b) {
   return a.goal < b.goal - kSame;
 }
 
-/// Violation at a given t: sum of excessOver.
+/// Violation at a given t: sum of weight x excessOver.
 double violationAt(const DimmedBound* bounds, std::uint32_t count, double t);
 
 /// The best t in [low, high], 0 <= low <= high: within the interval that meets all bounds the one that the

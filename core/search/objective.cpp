@@ -220,7 +220,8 @@ Evaluation Objective::judge(const Moments* moments, const Extremes* extremes) co
     return {0, constant + slope * dimmingLow_, dimmingLow_};
   for (std::size_t i = 0; i < sides_.size(); ++i) {
     const Bound& bound = sides_[i];
-    bounds_[i] = {boundedValue(bound, moments, extremes), bound.value, bound.side, bound.scaleFree};
+    bounds_[i] = {boundedValue(bound, moments, extremes), bound.value, bound.side, bound.scaleFree,
+                  missWeightOf(bound.statistic)};
   }
   return solveDimming(bounds_.data(), static_cast<std::uint32_t>(bounds_.size()),
                       {slope, constant, aims_.data(), aims}, dimmingLow_, dimmingHigh_);

@@ -175,6 +175,11 @@ inline double excessOver(double bound, Side side, double value) {
   return bound == 0 ? excess : excess / std::fabs(bound);
 }
 
+/// What the excess of a statistic counts in the sum of a search. The ratio of a ugr grows by a third a unit,
+/// as nothing else that is bounded: fully counted, one that cannot be met would lead to whatever blinds a
+/// little less, at the cost of all else.
+inline double missWeightOf(Statistic statistic) { return statistic == Statistic::kUgr ? 0.1 : 1; }
+
 /// What a goal "near" a target is worth, 0 at best. Precondition: target > 0.
 inline double distanceFrom(double target, double value) { return std::fabs(value - target) / target; }
 

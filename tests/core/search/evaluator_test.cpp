@@ -88,8 +88,9 @@ TEST(Evaluator, GlareOfTrialsIsThatOfFullEvaluations) {
     evaluator.apply(trial);
     EXPECT_NEAR(evaluator.current().violation, reference.evaluate(sites).violation, 1e-9);
     const Shown shown = shownOf(prepared, intentions, evaluator.layout());
-    EXPECT_NEAR(shown.constraints[0].violation + shown.constraints[1].violation,
-                evaluator.current().violation, 1e-9);
+    EXPECT_NEAR(
+        missWeightOf(Statistic::kUgr) * (shown.constraints[0].violation + shown.constraints[1].violation),
+        evaluator.current().violation, 1e-9);
   }
 }
 

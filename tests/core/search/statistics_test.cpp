@@ -116,7 +116,7 @@ bool agreeOn(PreparedScene& prepared, const Constraint& constraint, const Layout
   if (std::isinf(searched)) {
     EXPECT_EQ(shown.violation, searched);
   } else {
-    EXPECT_NEAR(shown.violation, searched, 2e-5 * (1 + searched));
+    EXPECT_NEAR(missWeightOf(constraint.statistic) * shown.violation, searched, 2e-5 * (1 + searched));
   }
   EXPECT_EQ(shown.violation > 0, shown.margin < 0);
   if (shown.violation > 0) {
@@ -188,6 +188,23 @@ TEST(Statistics, AUgrIsOfOneObserverOrOfTheWorstAndDimsAway) {
   const Evaluation evaluation = evaluator.evaluate(layout.sites);
   EXPECT_EQ(evaluation.violation, 0);
   EXPECT_NEAR(evaluation.dimming, 0.5, 1e-9);
+}
+
+TEST(Statistics, AUgrThatIsMissedByThreeUnitsOutweighsNoMeanThatIsMissedByHalf) {
+  PreparedScene prepared(partlyDarkRoom());
+  const Layout layout = layoutOf({0, 7, 19}, 1);
+  Intentions intentions = three(1);
+  const auto missed = [&](const Constraint& constraint) {
+    intentions.constraints = {constraint};
+    return Evaluator(prepared, intentions).evaluate(layout.sites).violation;
+  };
+  intentions.constraints = {{Statistic::kUgr, -kUnbounded, 40, 1, {}, {}, kNone},
+                            {Statistic::kMean, 0, kUnbounded, 1, {kFloor}, {}}};
+  const Shown shown = shownOf(prepared, intentions, layout);
+  const double blinded =
+      missed({Statistic::kUgr, -kUnbounded, shown.constraints[0].value - 3, 1, {}, {}, kNone});
+  EXPECT_GT(blinded, 0);
+  EXPECT_LT(blinded, missed({Statistic::kMean, 2 * shown.constraints[1].value, kUnbounded, 1, {kFloor}, {}}));
 }
 
 TEST(Statistics, SearchAndShownAgreeOnEveryGoal) {
