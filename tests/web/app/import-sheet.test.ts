@@ -33,7 +33,12 @@ function opened(answer: () => Promise<Survey>) {
   const pool = { survey: (_: Model, options: BuildOptions) => (asked.push(options), answer()) };
   const lighting = { light: async (_: Model, choices: ModelChoices) => void lit.push(choices) };
   const createPool = async () => pool as unknown as BuilderPool;
-  const sheet = new ImportSheet(store, lighting as unknown as Lighting, createPool, model, usualChoices);
+  const sheet = new ImportSheet(store, lighting as unknown as Lighting, createPool, {
+    model,
+    choices: usualChoices,
+    remarks: ['it is dark'],
+    isAtRemarks: false,
+  });
   return { store, asked, lit, sheet };
 }
 
@@ -54,6 +59,15 @@ test('what was proposed is shown, and counts as chosen once something is added',
   sheet.light();
   expect(store.sheet.value).toBeNull();
   expect(lit).toEqual([{ ...usualChoices, mounts: ['soffit'], unit: 1 }]);
+});
+
+test('remarks on the room as it is lit hold until something else is chosen', async () => {
+  const { store, sheet } = opened(async () => survey);
+  await settled();
+  sheet.choose({ reflectances: { wall: 0.5 } });
+  expect(store.sheet.value?.remarks).toEqual(['it is dark']);
+  sheet.choose({ unit: 1 });
+  expect(store.sheet.value?.remarks).toBeNull();
 });
 
 test('a surface that is clicked in the picture is added, and taken away by the next click', async () => {

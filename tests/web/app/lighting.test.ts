@@ -377,16 +377,16 @@ test('what the sheet has told is not told once more', async () => {
   expect(store.messages.peek()).toHaveLength(1);
 });
 
-test('of several remarks one is said, and the sheet has the others', async () => {
+test('of several remarks one is said, and the sheet opens at all that were counted', async () => {
   const { store, room, lighting } = lightingOf(draft);
-  room.warnings = ['the room is open', 'it has no floor', 'it is dark'];
+  room.warnings = ['the room is open', 'no mount is marked; choose with --mount', 'it is dark'];
   await lighting.light({ name: 'a.glb', bytes: new Uint8Array(4), siblings: new Map() });
   const [message, ...more] = store.messages.peek();
   expect(more).toEqual([]);
   expect(message).toMatchObject({ text: '“a”: The room is open.', action: { label: '2 more remarks' } });
   message!.action!.run();
   await new Promise((resolve) => setTimeout(resolve));
-  expect(store.sheet.peek()).not.toBeNull();
+  expect(store.sheet.peek()).toMatchObject({ remarks: room.warnings, isAtRemarks: true });
   expect(store.messages.peek()).toEqual([]);
 });
 

@@ -18,6 +18,11 @@ function inMetres([x, y, z]: readonly [number, number, number], { choices, surve
   return [unit * right, unit * up, unit * back];
 }
 
+/** How a model was understood for the last time. */
+export interface Understood extends Pick<SheetState, 'choices' | 'remarks' | 'isAtRemarks'> {
+  readonly model: Model;
+}
+
 export class ImportSheet {
   readonly #store: Store;
   readonly #lighting: Lighting;
@@ -26,14 +31,14 @@ export class ImportSheet {
   #turn = 0; // the latest look wins
   readonly #forget: () => void;
 
-  constructor(store: Store, lighting: Lighting, createPool: CreatePool, model: Model, choices: ModelChoices) {
+  constructor(store: Store, lighting: Lighting, createPool: CreatePool, { model, ...last }: Understood) {
     this.#store = store;
     this.#lighting = lighting;
     this.#createPool = createPool;
     this.#model = model;
     store.sheet.value = {
       name: model.name,
-      choices,
+      ...last,
       materials: materialsOf(model.bytes),
       survey: null,
       fault: null,
@@ -53,8 +58,10 @@ export class ImportSheet {
   choose(part: Partial<ModelChoices>): void {
     const state = this.#store.sheet.peek();
     if (!state) return;
-    this.#store.sheet.value = { ...state, choices: { ...state.choices, ...part } };
-    if (!('reflectances' in part)) void this.#look();
+    const choices = { ...state.choices, ...part };
+    if ('reflectances' in part) return void (this.#store.sheet.value = { ...state, choices });
+    this.#store.sheet.value = { ...state, choices, remarks: null };
+    void this.#look();
   }
 
   /**

@@ -73,6 +73,7 @@ export class Lighting {
   readonly #polishing: Polishing;
   #running: Running | null = null;
   readonly #warnings: number[] = []; // messages of the latest model
+  #remarks: readonly string[] | null = null; // on the model at hand, as it was lit for the last time
   #model: Model | null = null;
   #modelOf: string | null = null; // the room that the model at hand is that of, as documents call it
   #choices: ModelChoices = usualChoices;
@@ -98,6 +99,7 @@ export class Lighting {
     this.cancel();
     this.closeSheet();
     this.#forgetWarnings();
+    this.#remarks = null;
     this.#polishing.release(); // the next room wants its memory
     const running = (this.#running = {
       controller: new AbortController(),
@@ -188,6 +190,7 @@ export class Lighting {
     this.#model = { name: `${room}.glb`, bytes, siblings: new Map() };
     this.#modelOf = room;
     this.#choices = usualChoices;
+    this.#remarks = null;
     return true;
   }
 
@@ -203,12 +206,13 @@ export class Lighting {
     this.sheet?.choose({ drawn: [...choices.drawn, { ...plane, name: `plane ${number}` }] });
   }
 
-  /** Opens the sheet of how the model was understood; closed by itself. */
-  async adjust(): Promise<void> {
+  /** Opens the sheet of how the model was understood, where it is asked for at the remarks; closed by itself. */
+  async adjust({ isAtRemarks = false } = {}): Promise<void> {
     const { ImportSheet } = await import('./import-sheet.ts');
     if (!this.#model || this.#store.sheet.peek()) return;
     this.#forgetWarnings(); // the sheet has its own, of what is chosen there
-    this.sheet = new ImportSheet(this.#store, this, this.#createPool, this.#model, this.#choices);
+    const last = { model: this.#model, choices: this.#choices, remarks: this.#remarks, isAtRemarks };
+    this.sheet = new ImportSheet(this.#store, this, this.#createPool, last);
   }
 
   /** Nothing where it is not open. */
@@ -277,7 +281,9 @@ export class Lighting {
       // Whether it is too much, and of what, the pipeline tells as soon as it has foreseen it.
       if (pass === 'draft' && isBeyondMemory(room, options.patch)) await pool.open(model, options);
       begun = { ...begun, secondsForeseen: secondsForeseen(room) };
-      if (signal.aborted || pass === 'full' || isTold || this.#store.sheet.peek()) return;
+      if (signal.aborted || pass === 'full') return;
+      this.#remarks = room.warnings;
+      if (isTold || this.#store.sheet.peek()) return;
       this.#warn(titleOf(model.name), room.warnings);
     };
     return pass === 'draft'
@@ -400,12 +406,12 @@ export class Lighting {
     }
   }
 
-  /** The first alone, so that the picture stays in sight; the sheet has the others, as has Results, about this room. */
+  /** The first alone, so that the picture stays in sight; the sheet has all of them, as has Results, about this room. */
   #warn(title: string, [first, ...others]: readonly string[]): void {
     if (first === undefined) return;
     const { about, moreRemarks } = words.value.opening;
     const said = about(shortName(title), sentence(first));
-    const show = { label: moreRemarks(others.length), run: () => void this.adjust() };
+    const show = { label: moreRemarks(others.length), run: () => void this.adjust({ isAtRemarks: true }) };
     this.#warnings.push(this.#store.say('warning', said, others.length > 0 ? show : undefined));
   }
 

@@ -89,6 +89,8 @@ export interface SheetState {
   readonly materials: readonly ModelMaterial[];
   readonly survey: Survey | null; // before the first look, or where the model cannot be read so
   readonly fault: string | null; // why
+  readonly remarks: readonly string[] | null; // on the room as it is lit; null once something else is chosen
+  readonly isAtRemarks: boolean; // it was opened to read these
   readonly isPicking: boolean; // a click in the picture says which room is meant
 }
 

@@ -1,5 +1,6 @@
 /** The import sheet: how a model is understood, each part of it changed by a click, beside the picture of the room. */
 import { Lightbulb, TriangleAlert, X } from 'lucide-preact';
+import { useEffect, useRef } from 'preact/hooks';
 import '../room-maker/room-maker.css';
 import './import-sheet.css';
 import { useApp } from '../../app/app.ts';
@@ -57,7 +58,7 @@ export function ImportSheet() {
           <PlaneSection choices={state.choices} choose={(part) => sheet.choose(part)} />
           <Lost state={state} setDoubleSided={(doubleSided) => sheet.choose({ doubleSided })} />
           <MaterialsSection state={state} choose={(reflectances) => sheet.choose({ reflectances })} />
-          <Remarks lines={survey?.warnings ?? []} />
+          <Remarks state={state} />
         </div>
       </div>
       <footer class="maker-footer">
@@ -82,22 +83,27 @@ function Foreseen({ survey }: { readonly survey: NonNullable<SheetState['survey'
   );
 }
 
-/** What the sections do not say already, by fields instead of options of the command. */
-function Remarks({ lines }: { readonly lines: readonly string[] }) {
-  const other = lines.filter(
-    (line) => !/--(scale|up|doors|mount|ceiling|double-sided|site-spacing)/.test(line),
-  );
-  if (other.length === 0) return null;
+/** On the room as it is lit, or as it would be by other choices; all of them, where they were asked for. */
+function Remarks({ state: { remarks, survey, isAtRemarks } }: { readonly state: SheetState }) {
+  const lines = remarks ?? survey?.warnings ?? [];
+  const list = useRef<HTMLDivElement>(null);
+  const isLookedAt = survey !== null; // the sections above grow by then
+  useEffect(() => {
+    if (isAtRemarks) list.current?.scrollIntoView({ block: 'center' });
+  }, [isAtRemarks, isLookedAt]);
+  if (lines.length === 0) return null;
   return (
-    <Section title={words.value.sheet.remarks}>
-      <RemarkList lines={other.slice(0, mostRemarks)} />
-      {other.length > mostRemarks && (
-        <details class="sheet-remarks">
-          <summary>{words.value.results.room.more(other.length - mostRemarks)}</summary>
-          <RemarkList lines={other.slice(mostRemarks)} />
-        </details>
-      )}
-    </Section>
+    <div ref={list}>
+      <Section title={words.value.sheet.remarks}>
+        <RemarkList lines={lines.slice(0, mostRemarks)} />
+        {lines.length > mostRemarks && (
+          <details class="sheet-remarks" open={isAtRemarks}>
+            <summary>{words.value.results.room.more(lines.length - mostRemarks)}</summary>
+            <RemarkList lines={lines.slice(mostRemarks)} />
+          </details>
+        )}
+      </Section>
+    </div>
   );
 }
 
