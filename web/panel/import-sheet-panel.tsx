@@ -3,6 +3,7 @@ import { SlidersHorizontal } from 'lucide-preact';
 import type { FunctionComponent } from 'preact';
 import { useEffect, useState } from 'preact/hooks';
 import { useApp } from '../app/app.ts';
+import type { Store } from '../app/state/store.ts';
 import { words } from '../language/language.ts';
 
 export function ImportSheetPanel() {
@@ -21,11 +22,16 @@ export function ImportSheetPanel() {
   );
 }
 
-/** The way to it, for a room whose model is at hand. */
+/** Whether the room on the screen has one: its model is at hand, and was not made in the room maker. */
+export function hasSheet({ lighting, litRoom, document, plan }: Store): boolean {
+  const isOfModel = lighting.value !== null || litRoom.value === document.value.room;
+  return isOfModel && !plan.value;
+}
+
+/** The way to it, for a room that has one. */
 export function OpenSheet() {
   const { store, opening } = useApp();
-  const isOfModel = store.lighting.value !== null || store.litRoom.value === store.document.value.room;
-  if (!isOfModel || store.plan.value || store.sheet.value) return null;
+  if (!hasSheet(store) || store.sheet.value) return null;
   return (
     <button class="button small" onClick={() => void opening.lighting.adjust()}>
       <SlidersHorizontal size={14} aria-hidden />

@@ -5,13 +5,14 @@ import { useApp } from '../app/app.ts';
 import { lightNote } from '../app/words/provenance.ts';
 import { words } from '../language/language.ts';
 import { ReadOn } from './controls/read-on.tsx';
+import { hasSheet, OpenSheet } from './import-sheet-panel.tsx';
 
 export function UselessNote() {
   const { store } = useApp();
   const [closed, setClosed] = useState('');
   const [isOpen, setIsOpen] = useState(false);
   const scene = store.scene.value;
-  const note = scene && lightNote(scene);
+  const note = scene && lightNote(scene, hasSheet(store));
   if (!note || closed === scene.identity || store.lighting.value) return null;
   return (
     <section
@@ -32,6 +33,7 @@ export function UselessNote() {
         </button>
       </header>
       <p>{note.text}</p>
+      <OpenSheet />
     </section>
   );
 }

@@ -96,13 +96,21 @@ export function floorsOf(scene: FloorTold): number[] {
 
 const muchLost = 0.2; // of the flux: more is said over the picture
 
-/** What must be known of a room's light before anything is read off it: why it is of little use, or how much is lost. */
-export function lightNote(scene: Pick<SceneInfo, 'provenance'>): { title: string; text: string } | null {
+/**
+ * What must be known of a room's light before anything is read off it: why it is of little use, or how much is lost, and the
+ * cures: those of the import sheet where the room has one.
+ */
+export function lightNote(
+  scene: Pick<SceneInfo, 'provenance'>,
+  hasSheet: boolean,
+): { title: string; text: string } | null {
   const { useless, lostLight = 0 } = readProvenance(scene.provenance);
   const said = words.value.bars.useless;
   if (useless) return { title: said.title, text: sentence(useless) };
-  if (lostLight > muchLost) return { title: said.muchLost, text: said.lost(percent(lostLight)) };
-  return null;
+  if (lostLight <= muchLost) return null;
+  const { open, place } = words.value.sheet;
+  const cure = hasSheet ? said.onSheet(open, place.pick, place.lid) : said.inModel;
+  return { title: said.muchLost, text: said.lost(percent(lostLight), cure) };
 }
 
 /** What the mask of hidden area leaves out of every figure, m2: a number a surface that has any, most first. */

@@ -94,8 +94,11 @@ export const bars: Words['bars'] = {
     name: 'Über dieses Licht',
     title: 'Dieses Licht ist von geringem Nutzen',
     muchLost: 'Viel Licht geht verloren',
-    lost: (share) =>
-      `${share} davon verlassen das Modell oder treffen auf Rückseiten. Die Ergebnisse gelten für den Raum, wie er gezeichnet ist; wo Öffnungen zu sein sollen, sie im Modell schließen oder im Importblatt einen Deckel wählen.`,
+    lost: (share, cure) =>
+      `${share} davon verlassen das Modell oder treffen auf Rückseiten. Die Ergebnisse gelten für den Raum, wie er gezeichnet ist; wo Öffnungen zu sein sollen, ${cure}.`,
+    inModel: 'sie im Modell schließen',
+    onSheet: (sheet, room, lid) =>
+      `sie im Modell schließen oder unter „${sheet}“: „${room}“, in ihn klicken, dann „${lid}“`,
     close: 'Hinweis schließen',
   },
   plan: {

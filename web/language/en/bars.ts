@@ -92,8 +92,11 @@ export const bars = {
     name: 'About this light',
     title: 'This light is of little use',
     muchLost: 'Much of the light is lost',
-    lost: (share: string) =>
-      `${share} of it leaves the model or meets the backs of faces. Results are true for the room as it is drawn; where openings are to be closed, close them in the model, or choose a lid on its sheet.`,
+    lost: (share: string, cure: string) =>
+      `${share} of it leaves the model or meets the backs of faces. Results are true for the room as it is drawn; where openings are to be closed, ${cure}.`,
+    inModel: 'close them in the model',
+    onSheet: (sheet: string, room: string, lid: string) =>
+      `close them in the model, or under “${sheet}”: “${room}”, click inside it, then “${lid}”`,
     close: 'Close the note',
   },
   plan: {
