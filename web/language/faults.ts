@@ -30,6 +30,12 @@ const decimal = (told: string): string => told.replace(/^(\d+)\.(\d+)( %)?$/, '$
 /** The command writes plain ASCII. */
 const squared = (text: string): string => text.replace(/ m2(?![\w²])/g, ' m²');
 
+/** The arguments of a fault of this name; null where another one was told. */
+export function toldIn(wanted: Name, fault: string): readonly string[] | null {
+  const pattern = patterns.find(([name]) => name === wanted)?.[1];
+  return pattern?.exec(fault)?.slice(2) ?? null; // after the whole of it, and what stands before
+}
+
 /** A fault as it was told, in the language of the page where that has words for it, and without options of the command. */
 export function inOurWords(fault: string): string {
   const own: Partial<typeof en.faults> = language.value === 'en' ? pageFaults : words.value.faults;

@@ -61,6 +61,18 @@ test('what was proposed is shown, and counts as chosen once something is added',
   expect(lit).toEqual([{ ...usualChoices, mounts: ['soffit'], unit: 1 }]);
 });
 
+test('a plane that is proposed stays until a surface is chosen', async () => {
+  const { store, sheet } = opened(async () => survey);
+  await settled();
+  sheet.hangInPlane(0);
+  expect(store.sheet.value?.choices).toEqual(usualChoices);
+  expect(store.messages.value.at(-1)?.text).toMatch(/instead of the plane/);
+  sheet.hangInPlane(2.5);
+  expect(store.sheet.value?.choices.ceiling).toBe(2.5);
+  sheet.hangInPlane(0);
+  expect(store.sheet.value?.choices).toEqual(usualChoices);
+});
+
 test('remarks on the room as it is lit hold until something else is chosen', async () => {
   const { store, sheet } = opened(async () => survey);
   await settled();

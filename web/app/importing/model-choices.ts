@@ -17,6 +17,7 @@ import type { Model } from '../../builder/protocol.ts';
 import { readContainer } from '../../document/gltf-container.ts';
 import type { PlanOutline } from '../../document/types.ts';
 import { luminance, type Rgb } from '../../document/linear-colour.mjs';
+import { toldIn } from '../../language/faults.ts';
 
 /** A level measuring plane that was drawn in the plan of the room. */
 export interface DrawnPlane {
@@ -185,6 +186,13 @@ export function hangable(state: Understood, most: number): readonly SurveyedSurf
   const others = all.filter((surface) => !isHung(surface) && surface.facing === facings.down);
   const shown = all.filter(isHung);
   return [...shown, ...others.slice(0, Math.max(0, most - shown.length))];
+}
+
+/** How high the plane hangs over the largest floor, m: as chosen, or as proposed; 0 where luminaires hang on surfaces. */
+export function planeHeight({ choices, survey }: Understood): number {
+  if (choices.ceiling > 0 || choices.mounts.length > 0) return choices.ceiling;
+  const told = survey?.warnings.flatMap((line) => toldIn('proposedPlane', line) ?? []);
+  return Number(told?.[0] ?? 0);
 }
 
 /** How high a surface lies over the nearest floor below it, m; null where there is none. */

@@ -79,6 +79,18 @@ export class ImportSheet {
     this.#store.say('info', words.value.sheet.mounts.last(surfaceText(name)));
   }
 
+  /**
+   * Luminaires hang in a plane so high over the largest floor, m; 0: on surfaces. A plane that is proposed stays, for there is
+   * no ceiling.
+   */
+  hangInPlane(ceiling: number): void {
+    const state = this.#store.sheet.peek();
+    if (!state) return;
+    if (ceiling > 0 || state.choices.ceiling > 0) return this.choose({ ceiling, mounts: [] });
+    this.#store.sheet.value = { ...state }; // the tick comes back
+    this.#store.say('info', words.value.sheet.mounts.noCeiling);
+  }
+
   /** From now on, or no longer, a click in the picture says which room of the building is meant. */
   pickPlace(isPicking: boolean): void {
     const state = this.#store.sheet.peek();

@@ -42,6 +42,7 @@ export const sheet: Words['sheet'] = {
     plane: 'Stattdessen Ebene über dem Boden',
     planeHeight: 'Höhe der Ebene über dem Boden',
     proposed: 'Wie vorgeschlagen',
+    noCeiling: 'Irgendwo müssen Leuchten hängen: statt der Ebene eine Fläche wählen.',
     last: (surface: string) =>
       `Irgendwo müssen Leuchten hängen: erst eine andere Fläche dazunehmen, dann ${surface} weg.`,
     storeys: 'Nur in einem Geschoss',

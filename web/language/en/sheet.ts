@@ -41,6 +41,7 @@ export const sheet = {
     plane: 'Plane over the floor instead',
     planeHeight: 'Height of the plane over the floor',
     proposed: 'As proposed',
+    noCeiling: 'Luminaires have to hang somewhere: choose a surface instead of the plane.',
     last: (surface: string) =>
       `Luminaires have to hang somewhere: add another surface before taking ${surface} away.`,
     storeys: 'In one storey alone',

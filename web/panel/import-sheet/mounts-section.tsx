@@ -1,5 +1,5 @@
 /** Where luminaires hang: surfaces, which are outlined in the picture, or a plane where nothing is a ceiling. */
-import { hangable, mountsIn, overFloor, storeysIn } from '../../app/importing/model-choices.ts';
+import { hangable, mountsIn, overFloor, planeHeight, storeysIn } from '../../app/importing/model-choices.ts';
 import type { ImportSheet } from '../../app/lighting/import-sheet.ts';
 import type { SheetState } from '../../app/state/store.ts';
 import { words } from '../../language/language.ts';
@@ -24,12 +24,13 @@ export function MountsSection({ state, sheet }: Props) {
   const { survey, choices } = state;
   if (!survey) return null;
   const hung = mountsIn(state);
-  const isPlane = choices.ceiling > 0;
+  const plane = planeHeight(state);
+  const isChosen = choices.ceiling > 0; // else surfaces can be chosen, also instead of a plane that is proposed
   return (
     <Section title={text.title}>
       <StoreyChoice state={state} sheet={sheet} />
-      {hung.length === 0 && !isPlane && <p class="fine-print">{text.none}</p>}
-      {!isPlane && (
+      {hung.length === 0 && !isChosen && <p class="fine-print">{text.none}</p>}
+      {!isChosen && (
         <ul class="sheet-list">
           {hangable(state, most).map((surface) => (
             <li key={surface.name}>
@@ -43,27 +44,23 @@ export function MountsSection({ state, sheet }: Props) {
           ))}
         </ul>
       )}
-      {!isPlane && <p class="fine-print">{text.pick}</p>}
+      {!isChosen && <p class="fine-print">{text.pick}</p>}
       {choices.mounts.length > 0 && (
         <button class="button small" onClick={() => sheet.choose({ mounts: [] })}>
           {text.proposed}
         </button>
       )}
-      <Check
-        label={text.plane}
-        checked={isPlane}
-        set={(on) => sheet.choose({ ceiling: on ? usualPlane : 0, mounts: [] })}
-      />
-      {isPlane && (
+      <Check label={text.plane} checked={plane > 0} set={(on) => sheet.hangInPlane(on ? usualPlane : 0)} />
+      {plane > 0 && (
         <NumberRow
           name={text.planeHeight}
           label={text.planeHeight}
           unit="m"
-          value={choices.ceiling}
+          value={plane}
           step={0.1}
           min={0.5}
           max={50}
-          onInput={(ceiling) => sheet.choose({ ceiling })}
+          onInput={(ceiling) => sheet.hangInPlane(ceiling)}
         />
       )}
     </Section>

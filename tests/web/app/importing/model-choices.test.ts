@@ -17,8 +17,10 @@ import {
   materialsOf,
   mountsIn,
   overFloor,
+  planeHeight,
   storeysIn,
   usualChoices,
+  type ModelChoices,
 } from '../../../../web/app/importing/model-choices.ts';
 
 const file = {
@@ -172,4 +174,20 @@ test('storeys are told by their floors, each with the ceilings that belong to it
   expect(over(6)).toBeCloseTo(2.7);
   expect(over(2.6)).toBeCloseTo(2.29); // over the carpet
   expect(over(1)).toBeNull();
+});
+
+test('a plane where nothing is a ceiling hangs as high as was chosen, or else as is proposed', () => {
+  const warnings = [
+    "nothing is a ceiling: luminaires are proposed to hang in a plane 2.4 m above 'ground' (36 m2); --ceiling says another height, --mount another place",
+  ];
+  const high = (choices: Partial<ModelChoices>, told: readonly string[] = warnings) =>
+    planeHeight({
+      choices: { ...usualChoices, ...choices },
+      survey: { warnings: told } as unknown as Survey,
+    });
+  expect(high({})).toBe(2.4);
+  expect(high({ ceiling: 3 })).toBe(3);
+  expect(high({ mounts: ['beam'] })).toBe(0);
+  expect(high({}, ['the room is open'])).toBe(0);
+  expect(planeHeight({ choices: usualChoices, survey: null })).toBe(0);
 });
