@@ -196,9 +196,15 @@ export function planeHeight({ choices, survey }: Understood): number {
 }
 
 /** How high a surface lies over the nearest floor below it, m; null where there is none. */
-export function overFloor({ high }: SurveyedSurface, { survey }: Understood): number | null {
-  const below = largeLevels(survey?.surfaces ?? []).filter((floor) => floor.high < high - headroom);
-  return below.length > 0 ? high - Math.max(...below.map((floor) => floor.high)) : null;
+export function overFloor({ high, area }: SurveyedSurface, { survey }: Understood): number | null {
+  const below = largeLevels(survey?.surfaces ?? []).filter((level) => level.high < high - headroom);
+  const [largest] = below;
+  if (!largest) return null;
+  // The top of a tall block is no floor, that of a gallery or a storey is one.
+  const isFloor = (level: SurveyedSurface) =>
+    level.area >= mostOf * largest.area ||
+    (level.area >= muchOf * largest.area && level.area >= mostOf * area);
+  return high - Math.max(largest.high, ...below.filter(isFloor).map((floor) => floor.high));
 }
 
 /** What faces up and is large enough for a floor, the largest first. */
@@ -217,6 +223,8 @@ const storeyHeight = 2; // m from floor to floor, at least
 const headroom = 1.8; // m
 const mostHeadroom = 7; // m: what faces down higher is a roof over something open
 const aPart = 0.08; // of the largest floor: a smaller one is a landing
+const mostOf = 0.5; // of the largest floor, or of what lies over it
+const muchOf = 0.25; // of the largest floor: an attic's over it
 const aShare = 0.02; // of its storey's floor: what is smaller is no ceiling
 
 /** From below to above; one that has no ceiling is left out. What is proposed there comes before what only faces down. */

@@ -176,6 +176,19 @@ test('storeys are told by their floors, each with the ceilings that belong to it
   expect(over(1)).toBeNull();
 });
 
+test('a surface hangs over the floor, not over what stands there', () => {
+  const level = (area: number, high: number, facing: number = facings.up) =>
+    ({ name: `at ${high}`, area, high, facing, use: uses.none }) satisfies SurveyedSurface;
+  const over = (mount: SurveyedSurface, ...levels: SurveyedSurface[]) =>
+    overFloor(mount, { choices: usualChoices, survey: { surfaces: levels } as unknown as Survey });
+  const cornell = [level(31.1, 0), level(2.8, 3.3), level(2.8, 1.65)];
+  expect(over(level(31.1, 5.49, facings.down), ...cornell)).toBeCloseTo(5.49);
+  expect(over(level(1.4, 5.48, facings.down), ...cornell)).toBeCloseTo(5.48); // the lamp
+  const house = [level(120, 0), level(40, 3)]; // an attic of a third, or a gallery
+  expect(over(level(40, 5.6, facings.down), ...house)).toBeCloseTo(2.6);
+  expect(over(level(100, 5.6, facings.down), ...house)).toBeCloseTo(5.6);
+});
+
 test('a plane where nothing is a ceiling hangs as high as was chosen, or else as is proposed', () => {
   const warnings = [
     "nothing is a ceiling: luminaires are proposed to hang in a plane 2.4 m above 'ground' (36 m2); --ceiling says another height, --mount another place",
