@@ -109,7 +109,7 @@ export class Making {
 
   /** The room as a file, called as one types it; null while its size is not understood. */
   async file(): Promise<File | null> {
-    return this.#isRefused() ? null : this.#named(this.title.peek().replace(/×/g, 'x'));
+    return this.#isRefused() ? null : this.#named(fileName(this.title.peek()));
   }
 
   /** Opens the made room the way a file is opened; it goes on being called what it was while it was made. */
@@ -127,7 +127,7 @@ export class Making {
 
   async #named(title: string): Promise<File> {
     const bytes = await glbOf(canonicalPlan(this.plan.peek()));
-    return new File([bytes], `${fileName(title)}.glb`, { type: 'model/gltf-binary' });
+    return new File([bytes], `${title}.glb`, { type: 'model/gltf-binary' });
   }
 
   dispose(): void {
@@ -188,7 +188,11 @@ function titleOf({ name, outline, height }: RoomPlan): string {
   return `${extent(0)} × ${extent(1)} × ${Number(height.toFixed(2))} m`;
 }
 
-const fileName = (title: string) => title.replace(/[^\p{L}\p{N} ._×-]/gu, '').trim() || 'room';
+/** Of a title, what every system takes as the name of a file and can be typed. */
+function fileName(title: string): string {
+  const typed = title.replace(/×/g, 'x').replace(/[^\p{L}\p{N} ._-]/gu, ' ');
+  return typed.replace(/\s+/g, ' ').trim() || 'room';
+}
 
 function keepLast(plan: RoomPlan): void {
   try {

@@ -12,7 +12,10 @@ const app = {
 } as unknown as App;
 
 const making = new Making(app, null);
-afterEach(() => making.dispose());
+afterEach(() => {
+  making.dispose();
+  opened.length = 0;
+});
 
 test('a room whose typed size is not understood is neither opened nor saved, and says so', async () => {
   making.sizeFault.value = 'unread';
@@ -21,4 +24,11 @@ test('a room whose typed size is not understood is neither opened nor saved, and
   making.sizeFault.value = null;
   await making.light();
   expect([(await making.file())?.name, opened]).toEqual(['6 x 4 x 2.8 m.glb', ['6 × 4 × 2.8 m.glb']]);
+});
+
+test('a room is opened under its name as it was typed; a file is called what any system takes', async () => {
+  making.edit((plan) => ({ ...plan, name: 'Meier & Söhne <3> / A' }));
+  await making.light();
+  expect(opened).toEqual(['Meier & Söhne <3> / A.glb']);
+  expect((await making.file())?.name).toBe('Meier Söhne 3 A.glb');
 });
