@@ -8,6 +8,7 @@ import { cureOf, isModel, modelEndings } from './model-files.ts';
 import { words } from '../../language/language.ts';
 
 const mostBytes = 256 << 20; // inflated, all together
+const untold = 0xffffffff; // bytes: a size that does not fit into its field
 const mostFiles = 2000;
 const mostTime = 30_000; // ms of inflating
 const rooms = /\.(gltf|glb|stf|flux)$/i;
@@ -40,11 +41,13 @@ export async function unzippedModel(file: File, inflate = inflated): Promise<Fil
   const wanted: string[] = [];
   let total = 0;
   let isLying = false;
+  let isUntold = false;
   const look = ({ name, size, originalSize }: { name: string; size: number; originalSize: number }) => {
     if (!isJunk(name) && names.length < mostFiles) names.push(name);
     if (!isWanted(name)) return false;
     wanted.push(name);
     total += originalSize;
+    isUntold ||= originalSize === untold;
     isLying ||= size > longestDeflated(originalSize);
     return false;
   };
@@ -59,7 +62,7 @@ export async function unzippedModel(file: File, inflate = inflated): Promise<Fil
   if (!hasModel) throw new Error(withoutModel(file.name, names));
   if (total > mostBytes || wanted.length > mostFiles)
     throw new Error(
-      words.value.opening.import.zipTooLarge(file.name, Math.round(total / 1e6), wanted.length),
+      words.value.opening.import.zipTooLarge(file.name, sizeText(total, isUntold), wanted.length),
     );
   const inside = await inflate({ bytes, wanted });
   if (!inside) throw new Error(words.value.opening.import.zipDamaged(file.name));
@@ -68,6 +71,12 @@ export async function unzippedModel(file: File, inflate = inflated): Promise<Fil
 
 /** Bytes that so many never take more of: what cannot be made smaller is stored, with some bytes for every block. */
 const longestDeflated = (size: number): number => size + 1000 + Math.ceil(size / 1000);
+
+/** "1000 MB"; of what does not tell its size, what is certain. */
+function sizeText(bytes: number, isUntold: boolean): string {
+  if (isUntold) return words.value.opening.import.zipMoreThan(`${mostBytes >> 20} MB`);
+  return `${Math.round(bytes / 1e6)} MB`;
+}
 
 /** What is said of a zip with nothing to open: the way for what is in it, or else what a zip may hold. */
 function withoutModel(zip: string, names: readonly string[]): string {

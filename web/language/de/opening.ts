@@ -119,8 +119,9 @@ export const opening: Words['opening'] = {
       `„${name}“ enthält eine weitere Zip-Datei: entpacken und die innere oder das Modell darin hierher ziehen.`,
     zipWithoutModel: (name, models) =>
       `„${name}“ enthält nichts, was sich öffnen lässt. Eine Zip-Datei kann ein Modell (${models}) mit seinen Texturen enthalten, einen Raum aus DIALux oder Relux (.stf), eine Szene (.flux) oder Leuchten (.ies, .ldt): eines davon exportieren und so oder als Zip hierher ziehen.`,
+    zipMoreThan: (size) => `mehr als ${size}`,
     zipTooLarge: (name, size, count) =>
-      `„${name}“ entpackt sich zu ${size} MB in ${count === 1 ? 'einer Datei' : `${count} Dateien`}: Unnötiges herausnehmen.`,
+      `„${name}“ entpackt sich zu ${size} in ${count === 1 ? 'einer Datei' : `${count} Dateien`}: Unnötiges herausnehmen.`,
     ifc: {
       noIfc: 'sie ist keine IFC-Datei in STEP-Form (ISO-10303-21)',
       noGeometry: 'sie enthält keine Formen von Wänden, Böden oder Decken: mit Geometrie exportieren',

@@ -111,8 +111,9 @@ export const opening = {
       `“${name}” holds another zip file: unpack it, and drop the inner one or the model in it.`,
     zipWithoutModel: (name: string, models: string) =>
       `“${name}” holds nothing that can be opened. A zip may hold a model (${models}) with its textures, a room of DIALux or Relux (.stf), a scene (.flux) or luminaires (.ies, .ldt): export one of these, and drop it or its zip.`,
-    zipTooLarge: (name: string, size: number, count: number) =>
-      `“${name}” unpacks to ${size} MB in ${count === 1 ? 'one file' : `${count} files`}: take out what is not needed.`,
+    zipMoreThan: (size: string) => `more than ${size}`,
+    zipTooLarge: (name: string, size: string, count: number) =>
+      `“${name}” unpacks to ${size} in ${count === 1 ? 'one file' : `${count} files`}: take out what is not needed.`,
     ifc: {
       noIfc: 'it is no IFC file of the STEP form (ISO-10303-21)',
       noGeometry: 'it holds no shapes of walls, floors or ceilings: export it with geometry',

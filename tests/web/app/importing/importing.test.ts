@@ -81,7 +81,12 @@ describe('a zip', () => {
   };
 
   test('that would inflate to more than a page can hold is refused before that', async () => {
-    await expect(unzippedModel(saying(1e9, new Uint8Array(1000)))).rejects.toThrow(/“bomb.zip” .*1000 MB/);
+    await expect(unzippedModel(saying(1e9, new Uint8Array(1000)))).rejects.toThrow(/“bomb.zip” .*to 1000 MB/);
+  });
+
+  test('whose size does not fit into its field is not told by what stands there', async () => {
+    const untold = saying(0xffffffff, new Uint8Array(1000));
+    await expect(unzippedModel(untold)).rejects.toThrow(/“bomb.zip” unpacks to more than 256 MB in one file/);
   });
 
   test('that says less than it can hold is damaged, and not inflated', async () => {
