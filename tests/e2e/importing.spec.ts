@@ -51,7 +51,7 @@ test('an .obj with its .mtl is shown, its unit guessed; an .stf opens the room m
   await expect.poll(async () => look(await picture(page)).colors, { timeout: 60_000 }).toBeGreaterThan(5);
 
   await drop(page, { 'packed.glb': Buffer.from(await packedBox()) });
-  await expect(page.getByRole('heading', { name: 'Preview of “packed”' })).toBeVisible({ timeout: 60_000 });
+  await expect(page.getByRole('heading', { name: '“packed”: preview' })).toBeVisible({ timeout: 60_000 });
   await page.getByRole('button', { name: 'How it was understood' }).click();
   const sheet = page.getByRole('complementary', { name: 'How the model was understood' });
   await expect(sheet.getByText('4.00 × 5.00 m, 3.00 m high')).toBeVisible();
@@ -64,7 +64,7 @@ test('an .obj with its .mtl is shown, its unit guessed; an .stf opens the room m
   await sheet.getByRole('button', { name: 'Close without a change' }).click();
 
   await drop(page, { 'plain.dae': plainDae });
-  await expect(page.getByRole('heading', { name: 'Preview of “plain”' })).toBeVisible({ timeout: 60_000 });
+  await expect(page.getByRole('heading', { name: '“plain”: preview' })).toBeVisible({ timeout: 60_000 });
   await page.getByRole('button', { name: 'How it was understood' }).click();
   await expect(sheet.getByLabel(/^Reflectance of/)).toHaveAttribute('placeholder', 'by its surface');
   await sheet.getByRole('button', { name: 'Close without a change' }).click();

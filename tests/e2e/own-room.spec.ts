@@ -29,9 +29,9 @@ test('a dropped model is lit, solved and kept', async ({ page }) => {
   test.setTimeout(900_000); // two passes of light, beside a picture that software may draw
   await openRoom(page, 'E corridor');
   await drop(page, { 'my box.glb': await smallRoom() });
-  await expect(working(page).getByRole('heading')).toHaveText('Lighting “my box”');
+  await expect(working(page).getByRole('heading')).toHaveText('“my box”: lighting');
   await expect(page.getByRole('heading', { level: 1 })).toHaveText('my box', patience);
-  await expect(working(page).getByRole('heading')).toHaveText('Preview of “my box”');
+  await expect(working(page).getByRole('heading')).toHaveText('“my box”: preview');
   await settled(page);
   await expectLit(page);
   const draft = await places(page);

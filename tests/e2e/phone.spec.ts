@@ -267,6 +267,7 @@ test('what is told of a dropped model leaves its picture in sight, and is there 
   await expect(remark).toBeVisible({ timeout: 120_000 });
   expect(await heightOf(note)).toBeLessThan(72);
   expect(await heightOf(remark)).toBeLessThan(72);
+  await expect(note.getByText(/^\d+ %$/)).toBeVisible();
   const before = await heightOf(remark);
   await remark.getByRole('button', { name: 'Read on' }).tap();
   expect(await heightOf(remark)).toBeGreaterThan(before);

@@ -73,6 +73,7 @@ function Working({ state }: { readonly state: LightingState }) {
   const { name, stage, share, secondsLeft } = state;
   const isDraftShown = isDraftOnScreen(store);
   const [isOpen, setIsOpen] = useState(false);
+  const percent = `${Math.floor(100 * share)} %`;
   return (
     <section
       class={`preview-note working brief ${store.preview.value ? '' : 'small'} ${isOpen ? 'open' : ''}`}
@@ -84,13 +85,18 @@ function Working({ state }: { readonly state: LightingState }) {
             ? words.value.opening.preview.of(titleOf(name))
             : words.value.opening.preview.lighting(titleOf(name))}
         </h2>
+        {!isOpen && (
+          <span class="share" aria-hidden="true">
+            {percent}
+          </span>
+        )}
         <ReadOn isOpen={isOpen} toggle={() => setIsOpen(!isOpen)} />
         <Close />
       </header>
       <progress max={1} value={share} aria-label={words.value.opening.preview.stages[stage]} />
       <p>
         {isDraftShown ? words.value.opening.preview.full : words.value.opening.preview.stages[stage]}:{' '}
-        {Math.floor(100 * share)} %
+        {percent}
         {secondsLeft !== null && words.value.opening.preview.left(timeLeft(secondsLeft))}
         {words.value.opening.preview.stays}
       </p>
