@@ -766,6 +766,30 @@ describe('when things go wrong', () => {
   });
 });
 
+/** Of the page: it can read no model. */
+class BrokenWorker {
+  onerror: (event: { message: string }) => void = () => {};
+  postMessage(): void {
+    setImmediate(() => this.onerror({ message: 'gone' }));
+  }
+  terminate(): void {}
+}
+
+test('a model that cannot be shown is refused over the lit room, not under the name of a preview before it', async () => {
+  const { Worker } = globalThis;
+  globalThis.Worker = BrokenWorker as unknown as typeof Worker;
+  app.store.preview.value = 'nan.glb';
+  const gltf = JSON.stringify({
+    asset: { version: '2.0' },
+    buffers: [{ uri: 'missing.bin', byteLength: 4 }],
+  });
+  await app.opening.files([new File([gltf], 'siblings.gltf')]);
+  globalThis.Worker = Worker;
+  expect(app.store.preview.value).toBeNull();
+  expect(app.store.roomTitle.value).toBe('room');
+  expect(app.store.messages.value.at(-1)).toMatchObject({ kind: 'error', text: /siblings/ });
+});
+
 test('alpha that is found becomes the alpha of the card, without another search', () => {
   app.addCard('overshadow', ['wall']);
   const id = app.store.card.value!;

@@ -77,6 +77,12 @@ function sourceOf({ provenance, identity }: SceneInfo): string {
   return readProvenance(provenance).source?.hash ?? identity;
 }
 
+/** What a file can lead to that is not of files alone. */
+interface Ways {
+  openProject(project: Project): Promise<boolean>;
+  endPreview(): Promise<void>;
+}
+
 export class FileOpening {
   readonly #store: Store;
   readonly #viewer: Viewer;
@@ -84,7 +90,7 @@ export class FileOpening {
   readonly #types: LuminaireTypes;
   readonly #lighting: Lighting;
   readonly #own: Pick<OwnRooms, 'nameFor' | 'has' | 'keep' | 'titleOf'>;
-  readonly #openProject: (project: Project) => Promise<boolean>;
+  readonly #ways: Ways;
 
   constructor(
     store: Store,
@@ -93,7 +99,7 @@ export class FileOpening {
     types: LuminaireTypes,
     lighting: Lighting,
     own: Pick<OwnRooms, 'nameFor' | 'has' | 'keep' | 'titleOf'>,
-    openProject: (project: Project) => Promise<boolean>,
+    ways: Ways,
   ) {
     this.#store = store;
     this.#viewer = viewer;
@@ -101,7 +107,7 @@ export class FileOpening {
     this.#types = types;
     this.#lighting = lighting;
     this.#own = own;
-    this.#openProject = openProject;
+    this.#ways = ways;
     // While nothing else goes on: beside workers it takes seconds.
     effect(() => {
       if (store.progress.value.state === 'settled') viewer.expectPreview();
@@ -188,7 +194,7 @@ export class FileOpening {
     if (isModel.test(name)) return this.#light(name, bytes, others);
     if (/\.flux$/i.test(name)) return this.#openFlux(name, bytes);
     const project = readProject(new TextDecoder().decode(bytes));
-    if (typeof project !== 'string') await this.#openProject(project);
+    if (typeof project !== 'string') await this.#ways.openProject(project);
     else if (/\.json$|\.fiatlux$/i.test(name)) this.#refuse(words.value.opening.about(name, project));
     else this.#refuse(words.value.opening.notOurs(name, modelEndings));
   }
@@ -237,6 +243,7 @@ export class FileOpening {
     const siblings = new Map<string, Uint8Array<ArrayBuffer>>();
     for (const other of others) siblings.set(other.name, new Uint8Array(await other.arrayBuffer()));
     let model: Model = { name, bytes: new Uint8Array(bytes), siblings };
+    let isSeen = true; // or overtaken
     const isOpen = await this.#placing.attempt(words.value.opening.opening(name), async (isCurrent) => {
       const plain = await plainOf(model);
       if (plain) model = { name, bytes: plain, siblings: new Map() };
@@ -247,8 +254,11 @@ export class FileOpening {
       this.#store.making.value = null;
       this.#store.plan.value = plan;
       if (plain) this.#store.preview.value = name;
+      isSeen = plain !== null;
     });
-    if (isOpen) await this.#lighting.light(model, undefined, { isEdited });
+    if (!isOpen) return;
+    if (!isSeen && this.#store.preview.peek() !== null) await this.#ways.endPreview(); // else refused under another's name
+    await this.#lighting.light(model, undefined, { isEdited });
   }
 
   /** Of a model that cannot be shown, what computes light tells better what is wrong. */

@@ -80,8 +80,10 @@ export class Opening {
     this.#types = types;
     this.#placing = new Placing(store, rooms, solving, viewer, keeping, types);
     this.lighting = new Lighting(store, solving, this.#placing, own, createPool);
-    const openProject = (project: Project) => this.#openProject(project);
-    this.#files = new FileOpening(store, viewer, this.#placing, types, this.lighting, own, openProject);
+    this.#files = new FileOpening(store, viewer, this.#placing, types, this.lighting, own, {
+      openProject: (project) => this.#openProject(project),
+      endPreview: () => this.endPreview(),
+    });
   }
 
   /**
