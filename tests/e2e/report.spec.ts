@@ -1,5 +1,5 @@
 // What leaves the app for paper and for other programs says what the app says. Covers formats, plan-drawings,
-// result-lines, dimension-chain, report, report-page, plan-figure, light-figure, schedule, verdict.
+// result-lines, dimension-chain, report, report-page, places, plan-figure, light-figure, schedule, pointing, verdict.
 import { readFileSync } from 'node:fs';
 import type { Page } from '@playwright/test';
 import DxfParser from 'dxf-parser';
@@ -129,4 +129,38 @@ test('the report of the office prints on three pages and says what the app says'
   expect(decodeQR(photo)).toBe(address);
   await page.keyboard.press('Escape');
   await expect(report(page)).toHaveCount(0);
+});
+
+/** What stands in the rows of a table of the report, cell by cell. */
+const cells = (page: Page, caption: RegExp): Promise<string[][]> =>
+  report(page)
+    .getByRole('table', { name: caption })
+    .locator('tbody tr')
+    .evaluateAll((rows) =>
+      rows.map((row) => [...row.querySelectorAll('th, td')].map((cell) => cell.textContent)),
+    );
+
+test('the report of the museum says of each spot which it is and where it is aimed', async ({ page }) => {
+  test.slow(); // spots are searched for while software draws
+  await openApp(page, './?room=museum');
+  const [, ...table] = (await saved(page, /luminaires \(CSV\)/)).trim().split('\r\n');
+  await page.keyboard.press('Control+p');
+  await expect(report(page).getByRole('heading', { level: 1 })).toHaveText('Museum');
+  const types = await cells(page, /^Luminaires/);
+  expect(types.map(([name]) => name!.slice(0, 2))).toEqual(['A ', 'B ']);
+  for (const type of types) expect(type.at(-1)).toBe('aimed, mounted at 3.80 m');
+  const letters = new Map(types.map(([name]) => [name!.slice(2), name![0]!]));
+  const metres = (values: readonly string[]) => values.map((value) => Number(value).toFixed(2)).join(', ');
+  const wanted = table.map((line) => {
+    const [tag, x, y, z, , , type, turn, ...aim] = line.split(',');
+    return [tag, letters.get(type!), metres([x!, y!, z!]), `${turn}°`, metres(aim)];
+  });
+  const hung = await cells(page, /^Places of the luminaires/);
+  expect(hung.map((row) => row.slice(0, 5))).toEqual(wanted);
+  for (const [, , , , , tilt] of hung) expect(Number.parseFloat(tilt!)).toBeGreaterThan(5);
+  const drawn = await report(page)
+    .getByRole('img', { name: 'The plan with its luminaires' })
+    .locator('.luminaire text')
+    .allTextContents();
+  expect(drawn).toEqual(wanted.map(([tag, letter]) => `${tag} ${letter}`));
 });

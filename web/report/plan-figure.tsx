@@ -101,17 +101,17 @@ export function Note({
   );
 }
 
-/** The outline of a luminaire and its tag. */
+/** The outline of a luminaire, its tag, and the letter of its type. */
 export function LuminaireInPlan({
   luminaire,
   at,
   mm,
 }: {
-  luminaire: HungInPlan;
+  luminaire: HungInPlan & { readonly letter: string | null };
   at: Figure['at'];
   mm: number;
 }) {
-  const { tag, round } = luminaire;
+  const { tag, letter, round } = luminaire;
   const [x, y] = luminaire.place;
   const [ax, ay] = luminaire.axis;
   const [along, across] = luminaire.size.map((side) => Math.max(side, leastSide * mm) / 2) as [
@@ -135,6 +135,7 @@ export function LuminaireInPlan({
       )}
       <Note at={[left, top - above - 0.8 * mm]} mm={mm}>
         {tag}
+        {letter !== null && <tspan class="type-letter"> {letter}</tspan>}
       </Note>
     </g>
   );

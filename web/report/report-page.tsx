@@ -9,9 +9,9 @@ import { bestText, impossibleText } from '../app/words/best-text.ts';
 import { nameOf, singlesText, spareText, targetText, valueText, type Verdict } from '../app/words/verdict.ts';
 import { unionOf } from '../app/state/statistics.ts';
 import { chainOf } from '../document/dimension-chain.ts';
-import { placeText } from '../document/plan-frame.ts';
 import { LightFigure, ScaleBar } from './light-figure.tsx';
 import { figureOf, LuminaireInPlan, Note, pathOf, PlanFigure } from './plan-figure.tsx';
+import { Places } from './places.tsx';
 import { reportOf, splitAtIndices, type Report } from './report.ts';
 import './report.css';
 import { words } from '../language/language.ts';
@@ -57,7 +57,7 @@ export function ReportPage({ close }: { close: () => void }) {
         {picture && <img class="report-view" src={picture} alt={words.value.report.picture} />}
         <Verdicts report={report} />
         <Schedule report={report} />
-        <Places report={report} />
+        <Places luminaires={report.luminaires} />
         <Plan report={report} />
         <Light report={report} />
         <Surfaces report={report} />
@@ -227,9 +227,12 @@ function Schedule({ report: { schedule } }: Props) {
         </tr>
       </thead>
       <tbody>
-        {schedule.map(({ name, tags, flux, watts, mounting }) => (
+        {schedule.map(({ name, letter, tags, flux, watts, mounting }) => (
           <tr key={tags[0]}>
-            <th scope="row">{name}</th>
+            <th scope="row">
+              {letter !== null && <strong>{letter} </strong>}
+              {name}
+            </th>
             <td class="number">{tags.length}</td>
             <td class="number">{compact(flux)}</td>
             <td class="number">{compact(watts)}</td>
@@ -330,21 +333,6 @@ function Surfaces({ report: { surfaces, quantity } }: Props) {
         })}
       </tbody>
     </table>
-  );
-}
-
-function Places({ report: { luminaires } }: Props) {
-  return (
-    <section>
-      <h2>{words.value.report.places(words.value.values.corner)}</h2>
-      <ul class="places">
-        {luminaires.map(({ tag, place }) => (
-          <li key={tag}>
-            <strong>{tag}</strong> {placeText(place)}
-          </li>
-        ))}
-      </ul>
-    </section>
   );
 }
 

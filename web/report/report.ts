@@ -1,6 +1,12 @@
 /** What stands in the report: every figure is the app's own, in the app's own words. */
 import { readSurface } from '../app/exports/plan-drawings.ts';
-import { areasInPlan, drawn, hungInPlan, tasksInPlan } from '../app/exports/plan-drawings.ts';
+import {
+  areasInPlan,
+  drawn,
+  hungInPlan,
+  tasksInPlan,
+  type HungInPlan,
+} from '../app/exports/plan-drawings.ts';
 import type { App } from '../app/app.ts';
 import { folded, type Fold } from '../app/rooms/families.ts';
 import { powerOf, type Power } from '../app/state/power.ts';
@@ -15,6 +21,7 @@ import { maintenanceOf } from '../document/maintenance.ts';
 import { lightField, type LightField } from '../document/light-field.ts';
 import { paintByLeaf } from '../document/paint.ts';
 import type { RoomPlan } from '../document/plan-frame.ts';
+import { pointingsOf, type Pointing } from '../document/pointing.ts';
 import { scheduleOf, type ScheduleRow } from '../document/schedule.ts';
 import type { Display, Energy, Luminaires, Paint, Quantity, SceneInfo } from '../document/types.ts';
 import type { SurfaceResult } from '../solver/protocol.ts';
@@ -22,6 +29,12 @@ import { roundRange, type Scale } from '../viewer/light/false-color.ts';
 import { words } from '../language/language.ts';
 import { surfaceText } from '../language/surface-names.ts';
 import { fixed, locale, shortest, typed } from '../language/numbers.ts';
+
+/** A luminaire as it is installed. */
+export interface Hung extends HungInPlan {
+  readonly letter: string | null; // of its type, as the schedule has it
+  readonly pointing: Pointing;
+}
 
 export interface Report {
   readonly title: string;
@@ -31,7 +44,7 @@ export interface Report {
   readonly best: ReadonlyMap<string, BestFigure>; // of rows that are not met, as far as it is known
   readonly power: Power;
   readonly schedule: readonly ScheduleRow[];
-  readonly luminaires: ReturnType<typeof hungInPlan>;
+  readonly luminaires: readonly Hung[];
   readonly areas: ReturnType<typeof tasksInPlan>;
   readonly kept: ReturnType<typeof areasInPlan>;
   readonly surfaces: readonly Fold<SurfaceResult>[]; // measuring planes first
@@ -55,6 +68,8 @@ export function reportOf(app: App): Report {
   const best = store.bestFigures.peek();
   const efficacy = store.efficacy.peek();
   const power = powerOf(layout, scene, efficacy, types);
+  const schedule = scheduleOf(layout, scene.sites, plan.frame, efficacy, types);
+  const pointings = pointingsOf(layout, scene.sites, plan.frame, types);
   const isPlane = ({ name }: SurfaceResult) =>
     store.sceneWithAreas.peek()?.surfaces.some((leaf) => leaf.name === name && leaf.measuring) ?? false;
   const rows = shown.surfaces
@@ -67,8 +82,12 @@ export function reportOf(app: App): Report {
     verdicts: everyVerdict(store),
     best: best?.of === store.traced.peek().intentions ? best.figures : new Map(),
     power,
-    schedule: scheduleOf(layout, scene.sites, plan.frame, efficacy, types),
-    luminaires: hungInPlan(what),
+    schedule,
+    luminaires: hungInPlan(what).map((hung, i) => ({
+      ...hung,
+      letter: schedule.find(({ tags }) => tags.includes(hung.tag))?.letter ?? null,
+      pointing: pointings[i]!,
+    })),
     areas: tasksInPlan(what, document.taskAreas),
     kept: areasInPlan(what, document.luminaires.areas),
     surfaces: folded(rows, ({ name }) => name),

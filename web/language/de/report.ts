@@ -38,6 +38,10 @@ export const report: Words['report'] = {
     down: 'nach unten',
     up: 'nach oben',
     wall: 'an einer Wand,',
+    aimed: 'ausgerichtet',
+    tilted: (degrees) => `um ${degrees}° geneigt`,
+    leaning: (how) => `${how}, montiert`,
+    leaningOnWall: (how) => `an einer Wand, ${how},`,
   },
   plan: {
     label: 'Der Grundriss mit den Leuchten',
@@ -63,6 +67,17 @@ export const report: Words['report'] = {
   record: 'Zum Nachvollziehen: wie gerechnet wurde',
   signature: { designed: 'Geplant von', checked: 'Geprüft von', place: 'Ort und Datum' },
   places: (corner) => `Orte der Leuchten: x, y, z in m ab ${corner}`,
+  pointing: {
+    luminaire: 'Leuchte',
+    type: 'Typ',
+    turn: 'Drehung',
+    aim: 'Ausgerichtet auf',
+    tilt: 'Neigung',
+    azimuth: 'Azimut',
+    turnSign:
+      'Drehung: um die Normale der Montage ab deren Achse, an der Decke im Grundriss im Uhrzeigersinn.',
+    aimSign: 'Neigung: gegen die Senkrechte nach unten. Azimut: im Grundriss ab Norden im Uhrzeigersinn.',
+  },
   light: {
     caption: (name, height) =>
       `Beleuchtungsstärke auf „${name}“, ${height} m über dem Boden: Isoluxlinien in lx`,

@@ -37,6 +37,10 @@ export const report = {
     down: 'facing down',
     up: 'facing up',
     wall: 'on a wall,',
+    aimed: 'aimed',
+    tilted: (degrees: string) => `tilted by ${degrees}°`,
+    leaning: (how: string) => `${how}, mounted`,
+    leaningOnWall: (how: string) => `on a wall, ${how},`,
   },
   plan: {
     label: 'The plan with its luminaires',
@@ -62,6 +66,16 @@ export const report = {
   record: 'For the record: how it was computed',
   signature: { designed: 'Designed by', checked: 'Checked by', place: 'Place and date' },
   places: (corner: string) => `Places of the luminaires: x, y, z in m from the ${corner}`,
+  pointing: {
+    luminaire: 'Luminaire',
+    type: 'Type',
+    turn: 'Turn',
+    aim: 'Aimed at',
+    tilt: 'Tilt',
+    azimuth: 'Azimuth',
+    turnSign: 'Turn: about the mount’s normal from its axis, on a ceiling clockwise in plan.',
+    aimSign: 'Tilt: from straight down. Azimuth: in plan, from north, clockwise.',
+  },
   light: {
     caption: (name: string, height: string) =>
       `Illuminance on “${name}”, ${height} m above the floor: isolux lines in lx`,
