@@ -1,4 +1,4 @@
-// What leaves the app for paper and for other programs says what the app says. Covers formats, plan-drawings,
+// What leaves the app for paper and for other programs says what the app says. Covers formats, plan-drawings, stf-project,
 // result-lines, dimension-chain, report, report-page, places, plan-figure, light-figure, schedule, pointing, verdict.
 import { readFileSync } from 'node:fs';
 import type { Page } from '@playwright/test';
@@ -144,6 +144,10 @@ test('the report of the museum says of each spot which it is and where it is aim
   test.slow(); // spots are searched for while software draws
   await openApp(page, './?room=museum');
   const [, ...table] = (await saved(page, /luminaires \(CSV\)/)).trim().split('\r\n');
+  expect(await saved(page, /STF/)).toMatch(
+    /^Description=Rot does not say .*: Lum1 aimed at .*; Lum14 aimed at/m,
+  );
+  await expect(page.getByText(/STF does not carry where luminaires point; .*: L1–L14\./)).toBeVisible();
   await page.keyboard.press('Control+p');
   await expect(report(page).getByRole('heading', { level: 1 })).toHaveText('Museum');
   const types = await cells(page, /^Luminaires/);

@@ -1,6 +1,9 @@
 /**
  * STF, the text format by which DIALux and Relux exchange rooms: sections of `Key=value` lines, metres from the corner
  * of the floor, luminaires that name the section of their type. Written with the room and its luminaires, and read back.
+ *
+ * note: in which order Rot turns about x, y and z, and from which position of the luminaire, no public text says, and other
+ * programs write 0 0 z alone. So do we: what is tilted is told in the description of its room.
  */
 import type { Point2, Point3 } from './plan-frame.ts';
 
@@ -19,6 +22,7 @@ export interface StfType {
 
 export interface StfRoom {
   readonly name: string;
+  readonly description?: string; // for people: written only
   readonly height: number; // m
   readonly workingPlane: number; // m above the floor
   readonly outline: readonly Point2[];
@@ -67,6 +71,7 @@ function roomLines(room: StfRoom): string[] {
   const { ceiling, walls, floor } = room.reflectance;
   return [
     `Name=${plain(room.name)}`,
+    ...(room.description === undefined ? [] : [`Description=${plain(room.description)}`]),
     `Height=${number(room.height)}`,
     `WorkingPlane=${number(room.workingPlane)}`,
     `NrPoints=${room.outline.length}`,

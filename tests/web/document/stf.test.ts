@@ -58,6 +58,14 @@ describe('STF', () => {
     expect(lines).toContain('Point2=12.0004 0');
   });
 
+  test('a description of a room is one line of it, and in no way of its reading', () => {
+    const [room] = project.rooms;
+    const text = writeStf({ ...project, rooms: [{ ...room!, description: 'Lum1 is\r\n[tilted]' }] });
+    expect(text).toContain('[ROOM.R1]\r\nName=Open office\r\nDescription=Lum1 is tilted\r\n');
+    expect(read(text)).toEqual(project);
+    expect(writeStf(project)).not.toContain('Description');
+  });
+
   test('a name cannot open a section or set a key', () => {
     const text = writeStf({ ...project, name: 'a\r\n[ROOM.R9]\r\nHeight=99' });
     expect(read(text).name).toBe('a ROOM.R9 Height 99');

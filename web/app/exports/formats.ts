@@ -22,6 +22,8 @@ export interface ExportFormat {
   readonly type: string; // media type
   /** Throws one readable line. */
   readonly content: (app: App) => Promise<Blob | string>;
+  /** What the file that was made cannot carry; absent or null: nothing. */
+  readonly loss?: (app: App) => Promise<string | null>;
 }
 
 export const exportFormats: readonly ExportFormat[] = [
@@ -99,9 +101,10 @@ export const exportFormats: readonly ExportFormat[] = [
     type: 'text/plain',
     async content(app) {
       const { writeStf } = await import('../../document/stf.ts');
-      const { stfProject } = await import('./plan-drawings.ts');
+      const { stfProject } = await import('./stf-project.ts');
       return writeStf(stfProject(app, new Date()));
     },
+    loss: async (app) => (await import('./stf-project.ts')).stfLoss(app),
   },
   {
     id: 'gltf',

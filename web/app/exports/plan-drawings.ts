@@ -1,4 +1,4 @@
-/** The room and its luminaires as drawings for other programs: a DXF plan with isolux lines, and an STF project. */
+/** The room and its luminaires as drawings in plan: what the report and other programs are given, a DXF plan with isolux lines. */
 import { isoluxLines } from '../../document/isolux-lines.ts';
 import { lightField, type LightField } from '../../document/light-field.ts';
 import type { DxfArea, DxfDrawing } from '../../document/plan-dxf.ts';
@@ -11,9 +11,7 @@ import {
   type Point3,
   type RoomPlan,
 } from '../../document/plan-frame.ts';
-import { drawnBy } from '../../document/schedule.ts';
 import { positionOf } from '../../document/sites.ts';
-import type { StfProject, StfType } from '../../document/stf.ts';
 import { markedTasks } from '../../document/task-areas.ts';
 import type { Areas, Layout, Mounting, PlanOutline, SceneInfo, TaskArea } from '../../document/types.ts';
 import { isoluxLevels } from '../../viewer/light/isolux.ts';
@@ -22,7 +20,7 @@ import type { App } from '../app.ts';
 import { floorsOf } from '../words/provenance.ts';
 import { words } from '../../language/language.ts';
 
-interface Drawn {
+export interface Drawn {
   readonly scene: SceneInfo;
   readonly plan: RoomPlan;
   readonly layout: Layout;
@@ -118,48 +116,4 @@ export function dxfDrawing(app: App): DxfDrawing {
     isolux: field ? isoluxLines(field, isoluxLevels) : [],
     isoluxHeight: field?.height ?? 0,
   };
-}
-
-export function stfProject(app: App, today: Date): StfProject {
-  const what = drawn(app);
-  const { scene, plan } = what;
-  const outline = plan.outlines[0];
-  if (!outline) throw new Error(words.value.actions.exports.openOutline);
-  const title = app.store.roomTitle.peek();
-  const efficacy = app.store.efficacy.peek();
-  const types: StfType[] = [];
-  const known = app.store.document.peek().luminaires.types;
-  const luminaires = hungInPlan(what).map(({ place, axis, size }, i) => {
-    const isAlike = (each: StfType) => each.size.every((side, k) => side === size[k]);
-    const { flux, watts, type: made } = drawnBy(what.layout, i, efficacy, known);
-    const name = made?.name ?? `Lambertian square ${size[0].toFixed(2)} m, ${Math.round(flux)} lm`;
-    let type = types.findIndex((each) => each.name === name && isAlike(each) && each.flux === flux);
-    if (type < 0) type = types.push({ name, size, flux, watts }) - 1;
-    const turned = (Math.atan2(axis[1], axis[0]) * 180) / Math.PI;
-    return { type, place, rotation: [0, 0, turned] as const };
-  });
-  const plane = scene.surfaces.findIndex(({ measuring }) => measuring);
-  const row = scene.surfaceOfPatch.indexOf(plane);
-  const height = row < 0 ? 0.75 : (scene.patchCenter[3 * row + 1] ?? 0) - plan.frame.floor;
-  const reflectance = {
-    ceiling: reflectanceOf(scene, /ceiling/i),
-    walls: reflectanceOf(scene, /wall/i),
-    floor: reflectanceOf(scene, /floor/i),
-  };
-  const room = {
-    name: title,
-    height: plan.frame.size[2],
-    workingPlane: height,
-    outline,
-    reflectance,
-    luminaires,
-  };
-  return { name: title, date: today.toISOString().slice(0, 10), rooms: [room], types };
-}
-
-/** Of the surfaces of that name, by area; one half where none is called so. */
-function reflectanceOf({ surfaces }: SceneInfo, name: RegExp): number {
-  const named = surfaces.filter((surface) => !surface.measuring && name.test(surface.name));
-  const area = named.reduce((sum, surface) => sum + surface.area, 0);
-  return area > 0 ? named.reduce((sum, each) => sum + each.area * each.reflectance, 0) / area : 0.5;
 }

@@ -9,8 +9,10 @@ const patience = 10_000; // ms that a browser may take to begin with a download
 export async function saveAs(format: ExportFormat, app: App): Promise<void> {
   try {
     const content = await format.content(app);
+    const loss = await format.loss?.(app);
     const blob = typeof content === 'string' ? new Blob([content], { type: format.type }) : content;
     download(`${fileStem(app.store.roomTitle.peek())}${format.suffix}`, blob);
+    if (loss) app.store.say('warning', loss);
   } catch (error) {
     const why = reasonOf(error);
     app.store.say('error', words.value.actions.exports.failed(wordsOf(format).noun, why));

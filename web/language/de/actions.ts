@@ -69,5 +69,7 @@ export const actions: Words['actions'] = {
     noLayout: 'Noch ist keine Anordnung zu sehen',
     failed: (noun, why) => `${noun} konnte nicht erstellt werden: ${why}`,
     openOutline: 'der Umriss seines Bodens ist nicht geschlossen, und STF braucht einen',
+    stfPointing: (tags) =>
+      `STF überträgt nicht, wohin Leuchten zeigen; in anderen Programmen strahlen diese senkrecht nach unten: ${tags}. Ihre Ausrichtung steht in der Datei als Beschreibung des Raums.`,
   },
 };

@@ -68,5 +68,7 @@ export const actions = {
     noLayout: 'no layout is shown yet',
     failed: (noun: string, why: string) => `The ${noun} could not be made: ${why}`,
     openOutline: 'the outline of its floor is not closed, and STF needs one',
+    stfPointing: (tags: string) =>
+      `STF does not carry where luminaires point; other programs will have these shine straight down: ${tags}. Their aims are in the file as the room’s description.`,
   },
 };

@@ -5,6 +5,7 @@ import type { App } from '../../../../web/app/app.ts';
 import { exportFormats, wordsOf } from '../../../../web/app/exports/formats.ts';
 import { language } from '../../../../web/language/language.ts';
 import { fileStem, saveAs } from '../../../../web/app/exports/save-as.ts';
+import { tagsText } from '../../../../web/app/exports/stf-project.ts';
 import { Store } from '../../../../web/app/state/store.ts';
 import { readProject } from '../../../../web/document/project-file.ts';
 import { intentionsOf } from '../../../../web/document/intentions.ts';
@@ -54,6 +55,35 @@ test('each format is a file of its kind', async () => {
   expect(readProject(await textOf('save'))).toMatchObject({ document: { room: 'office', layout } });
   expect(await textOf('csv')).toContain('L2,1.500,2.500,3.000,300.0');
   expect(JSON.parse(await textOf('gltf')).nodes).toHaveLength(2);
+});
+
+const stf = () => exportFormats.find(({ id }) => id === 'stf')!;
+
+test('STF of luminaires that point straight down says nothing more', async () => {
+  await saveAs(stf(), app);
+  expect(await saved[0]!.blob.text()).not.toContain('Description=');
+  expect(app.store.messages.value).toEqual([]);
+});
+
+test('what STF cannot say of aimed luminaires is said in the file and on the page', async () => {
+  const aimed = (aim: readonly [number, number, number] | null) => ({ type: 'a', turn: 0, aim });
+  const document = app.store.document.peek();
+  // Site 5 hangs at (1, 3, 1) of the room: aimed east and down, right below, and along its mount.
+  const mountings = [aimed([4, 0, 1]), aimed([1, 0, 1]), aimed(null)];
+  app.store.reset({ ...document, layout: { sites: [5, 5, 5], flux: [1, 1, 1], dimming: 1, mountings } });
+  await saveAs(stf(), app);
+  expect((await saved[0]!.blob.text()).split('\r\n')).toContain(
+    'Description=Rot does not say where these luminaires point (tilt in degrees from straight down, azimuth in ' +
+      'degrees from +y clockwise): Lum1 aimed at 4.500 2.500 0.000, tilt 45.0 azimuth 90.0',
+  );
+  expect(app.store.messages.value).toMatchObject([
+    { kind: 'warning', text: expect.stringMatching(/straight down: L1\./) },
+  ]);
+});
+
+test('tags that follow one another are a range', () => {
+  expect(tagsText([0, 1, 2, 6])).toBe('L1–L3, L7');
+  expect(tagsText([3])).toBe('L4');
 });
 
 test('one that cannot be made is told by its name, and nothing is saved', async () => {
