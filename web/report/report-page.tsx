@@ -6,13 +6,13 @@ import { useApp } from '../app/app.ts';
 import { compact, ratio, spanText, tabular, unitOf } from '../app/words/format.ts';
 import type { BestFigure } from '../app/best-figures.ts';
 import { bestText, impossibleText } from '../app/words/best-text.ts';
-import { nameOf, singlesText, spareText, targetText, valueText, type Verdict } from '../app/words/verdict.ts';
+import { nameOf, singlesText, targetText, valueText, type Verdict } from '../app/words/verdict.ts';
 import { unionOf } from '../app/state/statistics.ts';
 import { chainOf } from '../document/dimension-chain.ts';
 import { LightFigure, ScaleBar } from './light-figure.tsx';
 import { figureOf, LuminaireInPlan, Note, pathOf, PlanFigure } from './plan-figure.tsx';
 import { Places } from './places.tsx';
-import { reportOf, splitAtIndices, type Report } from './report.ts';
+import { reportOf, splitAtIndices, verdictText, type Report } from './report.ts';
 import './report.css';
 import { words } from '../language/language.ts';
 import { surfaceText } from '../language/surface-names.ts';
@@ -192,12 +192,7 @@ function Verdicts({ report: { verdicts, best } }: Props) {
               {singlesText(row) && <small>, {singlesText(row)}</small>}
             </td>
             <td>
-              {row.met === null
-                ? words.value.report.verdicts.wish
-                : row.met
-                  ? words.value.report.verdicts.met
-                  : words.value.report.verdicts.unmet}
-              {row.met !== null && spareText(row) !== null && `, ${spareText(row)}`}
+              {verdictText(row)}
               {row.met === false && <Best row={row} best={best.get(nameOf(row))} />}
             </td>
           </tr>

@@ -15,7 +15,7 @@ import { patchSize, roomFacts, roomWarnings } from '../app/words/provenance.ts';
 import type { BestFigure } from '../app/best-figures.ts';
 import { compact, sentence } from '../app/words/format.ts';
 import { everyVerdict } from '../app/words/type-verdicts.ts';
-import type { Verdict } from '../app/words/verdict.ts';
+import { spareText, type Verdict } from '../app/words/verdict.ts';
 import { leni } from '../document/energy.ts';
 import { maintenanceOf } from '../document/maintenance.ts';
 import { lightField, type LightField } from '../document/light-field.ts';
@@ -126,6 +126,15 @@ function lightInPlan(
     field,
     scale: { colorMap, steps, logarithmic, range },
   };
+}
+
+/** "✓ met, 3.0 % to spare"; what is met exactly says so once. */
+export function verdictText(row: Verdict): string {
+  const { met, unmet, exactly, wish } = words.value.report.verdicts;
+  if (row.met === null) return wish;
+  const spare = spareText(row);
+  if (row.met && spare === words.value.values.exactly) return exactly;
+  return [row.met ? met : unmet, ...(spare === null ? [] : [spare])].join(', ');
 }
 
 /** Parts of a text in turn: what stands as it is, and the index of the sign before it, which is c in "F_c". */

@@ -1,7 +1,8 @@
 /** What the report says of the rules that luminaires hang by, of energy, and of how it was computed. */
 import { afterEach, expect, jest, test } from '@jest/globals';
-import { energyText, reportOf, rulesText, splitAtIndices } from '../../../web/report/report.ts';
+import { energyText, reportOf, rulesText, splitAtIndices, verdictText } from '../../../web/report/report.ts';
 import { usualEnergy } from '../../../web/document/energy.ts';
+import { speak } from '../../../web/language/language.ts';
 import { appInRoom } from '../app-in-room.ts';
 import { fakeScene } from '../fake-solver.ts';
 import { sixLuminaires as free } from '../six-luminaires.ts';
@@ -30,6 +31,19 @@ test('energy is told with what it is reckoned by, where there is a floor', () =>
 test('the index of a sign is told from the text around it', () => {
   expect(splitAtIndices('Fₒ, F_c, F_D 0.90; U_d')).toEqual(['Fₒ, F', 'c', ', F', 'D', ' 0.90; U', 'd', '']);
   expect(splitAtIndices('“OFF_c” and “F_desk” reflect')).toHaveLength(1); // names of a file
+});
+
+test('a verdict tells what there is to spare, and what is met exactly says so once', async () => {
+  const row = { where: 'wall', what: 'mean', target: 50, actual: 50, unit: 'lx', met: true };
+  expect(verdictText({ ...row, margin: 0 })).toBe('✓ met exactly');
+  expect(verdictText({ ...row, margin: 0.1 })).toBe('✓ met, 10 % to spare');
+  expect(verdictText({ ...row, margin: -0.1, met: false })).toBe('✗ not met, 10 % short');
+  expect(verdictText({ ...row, unit: 'UGR', margin: null, target: 19, actual: 19.04 })).toBe('✓ met exactly');
+  expect(verdictText({ ...row, unit: 'UGR', margin: null, target: 19, actual: 8 })).toBe('✓ met');
+  expect(verdictText({ ...row, margin: null, met: null })).toBe('wish');
+  await speak('de');
+  expect(verdictText({ ...row, margin: 0 })).toBe('✓ genau erfüllt');
+  await speak('en');
 });
 
 test('how it was computed stands by itself, and what the figures rest on is sentences', async () => {

@@ -180,6 +180,7 @@ export const intentions: Words['intentions'] = {
     remove: (verb, name) => `Entfernen: ${name} ${verb}`,
     status: (status, margin) => `${status}: ${margin}`,
     met: 'Erfüllt',
+    exactly: 'Genau erfüllt',
     unmet: 'Nicht erfüllt',
     verbs: 'Was das Licht tun soll',
     surfaces: 'Flächen',

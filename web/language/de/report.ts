@@ -23,6 +23,7 @@ export const report: Words['report'] = {
     actual: 'Ist',
     verdict: 'Bewertung',
     met: '✓ erfüllt',
+    exactly: '✓ genau erfüllt',
     unmet: '✗ nicht erfüllt',
     wish: 'Wunsch',
   },

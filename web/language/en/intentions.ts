@@ -183,6 +183,7 @@ export const intentions = {
     remove: (verb: string, name: string) => `Remove: ${verb} ${name}`,
     status: (status: string, margin: string) => `${status}: ${margin}`,
     met: 'Met',
+    exactly: 'Met exactly',
     unmet: 'Not met',
     verbs: 'What the light should do',
     surfaces: 'Surfaces',

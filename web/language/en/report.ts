@@ -22,6 +22,7 @@ export const report = {
     actual: 'Actual',
     verdict: 'Verdict',
     met: '✓ met',
+    exactly: '✓ met exactly',
     unmet: '✗ not met',
     wish: 'wish',
   },

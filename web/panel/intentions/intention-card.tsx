@@ -101,8 +101,10 @@ function useStatus(card: Card): Status | null {
 
 function Met({ status }: { status: Status | null }) {
   if (!status) return null;
-  const { met, unmet, status: told } = words.value.intentions.card;
-  return <MetMark met={status.met} title={told(status.met ? met : unmet, status.text)} />;
+  const { met, unmet, exactly, status: told } = words.value.intentions.card;
+  const isExact = status.met && status.text === words.value.values.exactly;
+  const title = isExact ? exactly : told(status.met ? met : unmet, status.text);
+  return <MetMark met={status.met} title={title} />;
 }
 
 /** What every card shows at once; all else that it may hold is behind "more". */
