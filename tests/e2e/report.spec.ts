@@ -8,7 +8,7 @@ import decodeQR from 'qr/decode.js';
 import { decodeLink } from '../../web/document/share-link.ts';
 import { readStf } from '../../web/document/stf.ts';
 import { bare, pdfPages } from './pdf-text.ts';
-import { expect, openApp, places, results, test, violations } from './app.ts';
+import { canvas, expect, openApp, places, results, test, violations } from './app.ts';
 
 /** What an entry of the file menu saves. */
 async function saved(page: Page, entry: RegExp): Promise<string> {
@@ -167,4 +167,37 @@ test('the report of the museum says of each spot which it is and where it is aim
     .locator('.luminaire text')
     .allTextContents();
   expect(drawn).toEqual(wanted.map(([tag, letter]) => `${tag} ${letter}`));
+});
+
+test.describe('on a phone', () => {
+  test.use({ viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true });
+
+  test('the report has its own picture, and every column can be read', async ({ page }) => {
+    test.slow(); // spots are searched for while software draws
+    await openApp(page, './?room=museum');
+    const size = () => canvas(page).evaluate((view) => [view.clientWidth, (view as HTMLCanvasElement).width]);
+    const before = await size();
+    await page.keyboard.press('Control+p');
+    const view = report(page).getByRole('img', { name: 'The room as it is lit' });
+    await expect(view).toBeVisible({ timeout: 90_000 });
+    const drawn = await view.evaluate(({ naturalWidth, naturalHeight }: HTMLImageElement) => [
+      naturalWidth,
+      naturalHeight,
+    ]);
+    expect(drawn).toEqual([1760, 920]); // whatever the screen is
+    expect(await size()).toEqual(before);
+    // From edge to edge of the screen, as it is or scrolled to its end.
+    for (const name of [/^Intentions/, /^Luminaires/, /^Places of/, /^Light by surface/]) {
+      const last = await report(page)
+        .getByRole('group', { name })
+        .evaluate((box) => {
+          box.scrollLeft = box.scrollWidth;
+          return box.querySelector('tbody tr > :last-child')!.getBoundingClientRect().right;
+        });
+      expect(last).toBeLessThanOrEqual(390);
+    }
+    const verdict = report(page).getByRole('columnheader', { name: 'Verdict' });
+    await verdict.scrollIntoViewIfNeeded();
+    await expect(verdict).toBeInViewport({ ratio: 1 });
+  });
 });

@@ -88,6 +88,7 @@ export function fakeViewer(): { viewer: () => FakeViewer; create: CreateViewer }
         throw new Error('nothing is drawn');
       },
       png: async () => new Blob(),
+      picture: async () => new Blob(),
       thumbnail: async () => {
         throw new Error('nothing is drawn');
       },

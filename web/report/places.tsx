@@ -4,6 +4,7 @@ import { placeText } from '../document/plan-frame.ts';
 import { words } from '../language/language.ts';
 import { fixed, shortest } from '../language/numbers.ts';
 import type { Hung } from './report.ts';
+import { Wide } from './wide.tsx';
 
 interface Props {
   readonly luminaires: readonly Hung[];
@@ -43,6 +44,7 @@ interface Columns extends Props {
 
 function PlaceTable({ luminaires, areAimed, areTurned, areOfTypes }: Columns) {
   const say = words.value.report.pointing;
+  const name = words.value.report.places(words.value.values.corner);
   const signs = [...(areTurned ? [say.turnSign] : []), ...(areAimed ? [say.aimSign] : [])];
   const heads = [
     say.luminaire,
@@ -52,35 +54,37 @@ function PlaceTable({ luminaires, areAimed, areTurned, areOfTypes }: Columns) {
     ...(areAimed ? [say.aim, say.tilt, say.azimuth] : []),
   ];
   return (
-    <table class="dense">
-      <caption>
-        {words.value.report.places(words.value.values.corner)} <small>{signs.join(' ')}</small>
-      </caption>
-      <thead>
-        <tr>
-          {heads.map((head) => (
-            <th key={head} scope="col">
-              {head}
-            </th>
-          ))}
-        </tr>
-      </thead>
-      <tbody>
-        {luminaires.map(({ tag, letter, place, pointing: { turn, aim, tilt, azimuth } }) => (
-          <tr key={tag}>
-            <th scope="row">
-              <strong>{tag}</strong>
-            </th>
-            {areOfTypes && <td>{letter}</td>}
-            <td>{placeText(place)}</td>
-            {areTurned && <td>{shortest(tenth(turn))}°</td>}
-            {areAimed && <td>{aim ? placeText(aim) : '–'}</td>}
-            {areAimed && <td>{fixed(tilt, 1)}°</td>}
-            {areAimed && <td>{azimuth === null ? '–' : `${fixed(tenth(azimuth) % 360, 1)}°`}</td>}
+    <Wide name={name}>
+      <table class="dense">
+        <caption>
+          {name} <small>{signs.join(' ')}</small>
+        </caption>
+        <thead>
+          <tr>
+            {heads.map((head) => (
+              <th key={head} scope="col">
+                {head}
+              </th>
+            ))}
           </tr>
-        ))}
-      </tbody>
-    </table>
+        </thead>
+        <tbody>
+          {luminaires.map(({ tag, letter, place, pointing: { turn, aim, tilt, azimuth } }) => (
+            <tr key={tag}>
+              <th scope="row">
+                <strong>{tag}</strong>
+              </th>
+              {areOfTypes && <td>{letter}</td>}
+              <td class="place">{placeText(place)}</td>
+              {areTurned && <td>{shortest(tenth(turn))}°</td>}
+              {areAimed && <td class="place">{aim ? placeText(aim) : '–'}</td>}
+              {areAimed && <td>{fixed(tilt, 1)}°</td>}
+              {areAimed && <td>{azimuth === null ? '–' : `${fixed(tenth(azimuth) % 360, 1)}°`}</td>}
+            </tr>
+          ))}
+        </tbody>
+      </table>
+    </Wide>
   );
 }
 

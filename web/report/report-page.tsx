@@ -13,6 +13,7 @@ import { LightFigure, ScaleBar } from './light-figure.tsx';
 import { figureOf, LuminaireInPlan, Note, pathOf, PlanFigure } from './plan-figure.tsx';
 import { Places } from './places.tsx';
 import { reportOf, splitAtIndices, verdictText, type Report } from './report.ts';
+import { Wide } from './wide.tsx';
 import './report.css';
 import { words } from '../language/language.ts';
 import { surfaceText } from '../language/surface-names.ts';
@@ -69,13 +70,13 @@ export function ReportPage({ close }: { close: () => void }) {
   );
 }
 
-/** The view as it was when the report was opened. */
+/** What was seen when the report was opened. */
 function usePicture(): string | null {
   const { viewer } = useApp();
   const [picture, setPicture] = useState<string | null>(null);
   useEffect(() => {
     let address: string | null = null;
-    void viewer.png().then(
+    void viewer.picture().then(
       (blob) => setPicture((address = URL.createObjectURL(blob))),
       () => undefined, // a report without a picture is one, too
     );
@@ -166,76 +167,84 @@ function Best({ row, best }: { row: Verdict; best: BestFigure | undefined }) {
 function Verdicts({ report: { verdicts, best } }: Props) {
   if (verdicts.length === 0) return null;
   return (
-    <table>
-      <caption>{words.value.report.verdicts.name}</caption>
-      <thead>
-        <tr>
-          <th scope="col">{words.value.report.verdicts.where}</th>
-          <th scope="col">{words.value.report.verdicts.what}</th>
-          <th scope="col" class="number">
-            {words.value.report.verdicts.target}
-          </th>
-          <th scope="col" class="number">
-            {words.value.report.verdicts.actual}
-          </th>
-          <th scope="col">{words.value.report.verdicts.verdict}</th>
-        </tr>
-      </thead>
-      <tbody>
-        {verdicts.map((row, i) => (
-          <tr key={i}>
-            <th scope="row">{row.where}</th>
-            <td>{row.what}</td>
-            <td class="number">{targetText(row)}</td>
-            <td class="number">
-              {valueText(row.actual, row.unit)}
-              {singlesText(row) && <small>, {singlesText(row)}</small>}
-            </td>
-            <td>
-              {verdictText(row)}
-              {row.met === false && <Best row={row} best={best.get(nameOf(row))} />}
-            </td>
+    <Wide name={words.value.report.verdicts.name}>
+      <table>
+        <caption>{words.value.report.verdicts.name}</caption>
+        <thead>
+          <tr>
+            <th scope="col">{words.value.report.verdicts.where}</th>
+            <th scope="col">{words.value.report.verdicts.what}</th>
+            <th scope="col" class="number">
+              {words.value.report.verdicts.target}
+            </th>
+            <th scope="col" class="number">
+              {words.value.report.verdicts.actual}
+            </th>
+            <th scope="col">{words.value.report.verdicts.verdict}</th>
           </tr>
-        ))}
-      </tbody>
-    </table>
+        </thead>
+        <tbody>
+          {verdicts.map((row, i) => (
+            <tr key={i}>
+              <th scope="row">{row.where}</th>
+              <td>{row.what}</td>
+              <td class="number">{targetText(row)}</td>
+              <td class="number">
+                {valueText(row.actual, row.unit)}
+                {singlesText(row) && (
+                  <>
+                    , <small>{singlesText(row)}</small>
+                  </>
+                )}
+              </td>
+              <td>
+                {verdictText(row)}
+                {row.met === false && <Best row={row} best={best.get(nameOf(row))} />}
+              </td>
+            </tr>
+          ))}
+        </tbody>
+      </table>
+    </Wide>
   );
 }
 
 function Schedule({ report: { schedule } }: Props) {
   return (
-    <table>
-      <caption>{words.value.report.schedule.name}</caption>
-      <thead>
-        <tr>
-          <th scope="col">{words.value.report.schedule.type}</th>
-          <th scope="col" class="number">
-            {words.value.report.schedule.count}
-          </th>
-          <th scope="col" class="number">
-            {words.value.report.schedule.flux}
-          </th>
-          <th scope="col" class="number">
-            {words.value.report.schedule.watts}
-          </th>
-          <th scope="col">{words.value.report.schedule.mounting}</th>
-        </tr>
-      </thead>
-      <tbody>
-        {schedule.map(({ name, letter, tags, flux, watts, mounting }) => (
-          <tr key={tags[0]}>
-            <th scope="row">
-              {letter !== null && <strong>{letter} </strong>}
-              {name}
+    <Wide name={words.value.report.schedule.name}>
+      <table>
+        <caption>{words.value.report.schedule.name}</caption>
+        <thead>
+          <tr>
+            <th scope="col">{words.value.report.schedule.type}</th>
+            <th scope="col" class="number">
+              {words.value.report.schedule.count}
             </th>
-            <td class="number">{tags.length}</td>
-            <td class="number">{compact(flux)}</td>
-            <td class="number">{compact(watts)}</td>
-            <td>{mounting}</td>
+            <th scope="col" class="number">
+              {words.value.report.schedule.flux}
+            </th>
+            <th scope="col" class="number">
+              {words.value.report.schedule.watts}
+            </th>
+            <th scope="col">{words.value.report.schedule.mounting}</th>
           </tr>
-        ))}
-      </tbody>
-    </table>
+        </thead>
+        <tbody>
+          {schedule.map(({ name, letter, tags, flux, watts, mounting }) => (
+            <tr key={tags[0]}>
+              <th scope="row">
+                {letter !== null && <strong>{letter} </strong>}
+                {name}
+              </th>
+              <td class="number">{tags.length}</td>
+              <td class="number">{compact(flux)}</td>
+              <td class="number">{compact(watts)}</td>
+              <td>{mounting}</td>
+            </tr>
+          ))}
+        </tbody>
+      </table>
+    </Wide>
   );
 }
 
@@ -291,43 +300,45 @@ function Light({ report: { plan, light } }: Props) {
 function Surfaces({ report: { surfaces, quantity } }: Props) {
   const { mean: meanWord, min: minWord, max: maxWord } = words.value.report.surfaces;
   return (
-    <table class="dense break-before">
-      <caption>
-        {words.value.report.surfaces.caption(unitOf(quantity))}{' '}
-        <small>
-          <Indexed text={words.value.report.surfaces.signs} />
-        </small>
-      </caption>
-      <thead>
-        <tr>
-          <th scope="col">{words.value.report.surfaces.surface}</th>
-          {['m²', meanWord, minWord, maxWord, 'σ', 'Uₒ', 'U_d'].map((name) => (
-            <th key={name} scope="col" class="number">
-              <Indexed text={name} />
-            </th>
-          ))}
-        </tr>
-      </thead>
-      <tbody>
-        {surfaces.map(({ title, items }) => {
-          const { mean, sigma, min, max } = unionOf(items);
-          const means = items.map((row) => row.mean);
-          const area = items.reduce((sum, row) => sum + row.area, 0);
-          return (
-            <tr key={title}>
-              <th scope="row">{title === 'all' ? words.value.results.surfaces.wholeRoom : title}</th>
-              <td class="number">{compact(area)}</td>
-              <td class="number">{spanText(Math.min(...means), Math.max(...means))}</td>
-              <td class="number">{tabular(min)}</td>
-              <td class="number">{tabular(max)}</td>
-              <td class="number">{tabular(sigma)}</td>
-              <td class="number">{ratio(min / mean)}</td>
-              <td class="number">{ratio(min / max)}</td>
-            </tr>
-          );
-        })}
-      </tbody>
-    </table>
+    <Wide name={words.value.report.surfaces.caption(unitOf(quantity))}>
+      <table class="dense break-before">
+        <caption>
+          {words.value.report.surfaces.caption(unitOf(quantity))}{' '}
+          <small>
+            <Indexed text={words.value.report.surfaces.signs} />
+          </small>
+        </caption>
+        <thead>
+          <tr>
+            <th scope="col">{words.value.report.surfaces.surface}</th>
+            {['m²', meanWord, minWord, maxWord, 'σ', 'Uₒ', 'U_d'].map((name) => (
+              <th key={name} scope="col" class="number">
+                <Indexed text={name} />
+              </th>
+            ))}
+          </tr>
+        </thead>
+        <tbody>
+          {surfaces.map(({ title, items }) => {
+            const { mean, sigma, min, max } = unionOf(items);
+            const means = items.map((row) => row.mean);
+            const area = items.reduce((sum, row) => sum + row.area, 0);
+            return (
+              <tr key={title}>
+                <th scope="row">{title === 'all' ? words.value.results.surfaces.wholeRoom : title}</th>
+                <td class="number">{compact(area)}</td>
+                <td class="number">{spanText(Math.min(...means), Math.max(...means))}</td>
+                <td class="number">{tabular(min)}</td>
+                <td class="number">{tabular(max)}</td>
+                <td class="number">{tabular(sigma)}</td>
+                <td class="number">{ratio(min / mean)}</td>
+                <td class="number">{ratio(min / max)}</td>
+              </tr>
+            );
+          })}
+        </tbody>
+      </table>
+    </Wide>
   );
 }
 

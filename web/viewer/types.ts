@@ -176,6 +176,8 @@ export interface Viewer {
   home(): void;
   /** The present picture, drawn at once; one in false colours has its legend in a corner. */
   png(): Promise<Blob>;
+  /** What is seen in a picture of one size and shape, however large the view is on the screen; else as png. */
+  picture(): Promise<Blob>;
   /** The middle of the present picture, drawn at once, in so few pixels. Whoever asks closes it. */
   thumbnail(width: number, height: number): Promise<ImageBitmap>;
   /** The present picture, drawn at once, as one of a video; µs from its beginning. Whoever asks closes it. */

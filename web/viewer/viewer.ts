@@ -10,7 +10,7 @@ import { CameraRig } from './eye/camera-rig.ts';
 import { CutAway } from './room/cut-away.ts';
 import { Emphasis } from './hand/emphasis.ts';
 import { FrameLoop } from './stage/frame-loop.ts';
-import { withLegend } from './light/legend-picture.ts';
+import { legendStrip, withLegend } from './light/legend-picture.ts';
 import { LuminaireHand } from './hand/luminaire-hand.ts';
 import { LuminaireObjects, sitePosition } from './luminaires/luminaire-objects.ts';
 import { LuminaireTags } from './luminaires/luminaire-tags.ts';
@@ -56,6 +56,8 @@ import { Wipe } from './wipe.ts';
 import { litSample, previewSample } from './program-samples.ts';
 
 const noRim = new Float32Array(0);
+/** Of the report's width of 176 mm and as high as leaves a page its tables: 10 pixels a mm, a legend that can be read. */
+const onPaper = { width: 880, height: 460, ratio: 2 };
 const twoStoreys = 4.2; // m: a lower room has one
 /** 300 ms after a room was opened: its first picture goes before. */
 const calmed = () => new Promise((resolve) => setTimeout(resolve, 300));
@@ -104,6 +106,7 @@ class RoomViewer implements Viewer {
   #lit: Object3D; // holds the programs of a room with light
   #expected: Object3D | null = null; // holds the programs of a room without light
   #ready = false; // every part is there
+  #isForPaper = false; // the size is not that of the view
   #disposed = false;
 
   constructor(canvas: HTMLCanvasElement, labels: HTMLElement, events: ViewerEvents) {
@@ -117,7 +120,7 @@ class RoomViewer implements Viewer {
       resized: (width, height, ratio, covered) => {
         this.#rig.resize(width, height, covered);
         this.#light.uniforms.pixelRatio.value = ratio;
-        if (this.#ready) this.#loop.flush();
+        if (this.#ready && !this.#isForPaper) this.#loop.flush();
       },
       contextLost: (lost) => this.#contextLost(lost),
       schemeChanged: () => this.#loop.invalidate(),
@@ -396,9 +399,23 @@ class RoomViewer implements Viewer {
 
   async png(): Promise<Blob> {
     this.#draw();
-    const picture = await this.#stage.png();
-    const display = this.#display;
-    return display?.mode === 'falseColor' ? withLegend(picture, display, this.#stage.ratio) : picture;
+    return this.#withLegend(await this.#stage.png(), this.#stage.ratio);
+  }
+
+  async picture(): Promise<Blob> {
+    const below = this.#display?.mode === 'falseColor' ? legendStrip : 0; // the room stands above the legend
+    const letGo = this.#rig.hold();
+    this.#isForPaper = true;
+    const picture = this.#stage.pictured(
+      onPaper,
+      { top: 0, planTop: 0, bottom: below, planBottom: below },
+      () => {
+        this.#drawRoom();
+        letGo();
+        this.#isForPaper = false;
+      },
+    );
+    return this.#withLegend(await picture, onPaper.ratio);
   }
 
   async thumbnail(width: number, height: number): Promise<ImageBitmap> {
@@ -436,6 +453,11 @@ class RoomViewer implements Viewer {
       this.#stage,
     ])
       part.dispose();
+  }
+
+  async #withLegend(picture: Blob, ratio: number): Promise<Blob> {
+    const display = this.#display;
+    return display?.mode === 'falseColor' ? withLegend(picture, display, ratio) : picture;
   }
 
   #show(room: RoomMesh, info: SceneInfo | null, rim: Float32Array, keepView = false): void {
@@ -590,16 +612,21 @@ class RoomViewer implements Viewer {
   #draw(): void {
     if (this.#disposed || this.#unlit) return;
     this.#rig.update();
-    this.#cutAway.update(this.#rig.active, this.#display?.cutAway ?? true);
-    this.#section.look(this.#rig.active.position);
-    const { ceiling } = this.#section;
-    for (const luminaires of [this.#luminaires, this.#wipe.luminaires]) luminaires.showBelow(ceiling);
-    this.#wipe.draw(this.#stage, this.#rig.active, this.#light.uniforms, this.#luminaires.root);
+    this.#drawRoom();
     const { width, height } = this.#stage;
     const from = this.#wipe.at * width;
     this.#tags.follow(this.#luminaires.objects, this.#rig.active, width, height, from);
     this.#drawLabels(this.#planeLabels, this.#light.light, from, width);
     this.#drawLabels(this.#otherPlaneLabels, this.#wipe.light, 0, from);
+  }
+
+  /** All but what lies over the canvas. */
+  #drawRoom(): void {
+    this.#cutAway.update(this.#rig.active, this.#display?.cutAway ?? true);
+    this.#section.look(this.#rig.active.position);
+    const { ceiling } = this.#section;
+    for (const luminaires of [this.#luminaires, this.#wipe.luminaires]) luminaires.showBelow(ceiling);
+    this.#wipe.draw(this.#stage, this.#rig.active, this.#light.uniforms, this.#luminaires.root);
   }
 
   /** Numbers on the planes between two places of the picture, px. */

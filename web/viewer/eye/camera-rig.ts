@@ -97,6 +97,16 @@ export class CameraRig {
     this.#unreported = true; // what is drawn over the picture follows it
   }
 
+  /** Keeps what is seen from side to side while the picture has another size; what is returned lets go of it. */
+  hold(): () => void {
+    const [framed, pose] = [this.#framed, this.#present()];
+    this.#framed ??= this.get();
+    return () => {
+      this.#framed = framed;
+      if (framed === null) this.#apply(pose);
+    };
+  }
+
   /** Steps damping before a frame; tells the app of a new pose once the eye rests. */
   update(): void {
     const isFlying = this.#flying !== null || this.#isRising;

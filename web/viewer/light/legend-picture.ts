@@ -10,6 +10,9 @@ const padding = 12;
 const margin = 12;
 const height = 64;
 
+/** What the legend takes of a picture's height. */
+export const legendStrip = height + 2 * margin;
+
 /** The picture with its legend; `ratio`: pixels of the picture a CSS pixel. */
 export async function withLegend(picture: Blob, display: Display, ratio: number): Promise<Blob> {
   const image = await createImageBitmap(picture);

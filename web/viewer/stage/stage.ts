@@ -37,6 +37,13 @@ export interface Covered {
   readonly planBottom: number;
 }
 
+/** Of a picture that is not the one on the screen. */
+export interface PictureSize {
+  readonly width: number; // CSS px
+  readonly height: number;
+  readonly ratio: number; // pixels a CSS pixel
+}
+
 const strips = ['top', 'planTop', 'bottom', 'planBottom'] as const;
 
 /** What is kept free of strips as wide as asked for: a low picture is used to its edge. */
@@ -151,6 +158,17 @@ export class Stage {
     });
   }
 
+  /** A picture of a size of its own, as `draw` draws it; the view is what it was before the task ends. */
+  async pictured(size: PictureSize, covered: Covered, draw: () => void): Promise<Blob> {
+    const view = { width: this.width, height: this.height, ratio: this.ratio };
+    const ofView = this.#covered ?? covered;
+    this.#take(size, covered);
+    draw();
+    const picture = this.png(); // has copied the canvas when it returns
+    this.#take(view, ofView);
+    return picture;
+  }
+
   /** The middle of a frame drawn just now, in the same task, in so few pixels: to encode all of it takes long. */
   async thumbnail(width: number, height: number): Promise<ImageBitmap> {
     const { width: wide, height: tall } = this.#canvas;
@@ -229,12 +247,22 @@ export class Stage {
     if (width === 0 || height === 0) return;
     const ratio = Math.min(maxPixelRatio, devicePixelRatio);
     if (width === this.width && height === this.height && ratio === this.renderer.getPixelRatio()) return;
-    [this.width, this.height] = [width, height];
-    this.renderer.setPixelRatio(ratio);
-    this.renderer.setSize(width, height, false);
+    this.#size({ width, height, ratio });
     this.#covered = null;
     this.#measure();
   };
+
+  #size({ width, height, ratio }: PictureSize): void {
+    [this.width, this.height] = [width, height];
+    this.renderer.setPixelRatio(ratio);
+    this.renderer.setSize(width, height, false);
+  }
+
+  #take(size: PictureSize, covered: Covered): void {
+    this.#size(size);
+    this.#covered = covered;
+    this.#host.resized(size.width, size.height, size.ratio, covered);
+  }
 
   /** Reads what lies over the picture. */
   #measure(): void {
