@@ -99,7 +99,7 @@ test('of an .ifc one space is chosen and lit; one without geometry is told in a 
   const dialog = page.getByRole('dialog', { name: 'Which place of “house”?' });
   await expect(dialog.getByRole('button')).toHaveCount(7); // one closes it
   await dialog.getByRole('button', { name: /Hall 4.0 × 5.0 m/ }).click();
-  await expect(page.getByRole('heading', { name: /“house 0.4200 Hall”$/ })).toBeVisible();
+  await expect(page.getByRole('heading', { name: /^“house 0.4200 Hall”: / })).toBeVisible();
   await page.getByRole('button', { name: 'How it was understood' }).click();
   const sheet = page.getByRole('complementary', { name: 'How the model was understood' });
   await expect(sheet.getByRole('checkbox', { name: /^Ceiling Board 12/ }).first()).toBeChecked();

@@ -122,7 +122,7 @@ export const intentions: Words['intentions'] = {
   firstHint:
     'Den Regler ziehen: Die Leuchten finden neue Plätze. Anzahl und Reihen stehen unter Leuchten, das Urteil unter Ergebnisse.',
   firstHintOfField:
-    'Die Leuchten hängen als regelmäßiges Feld, wovon es wenige gibt. Frei gehängt folgen sie dem Regler; Anzahl und Reihen stehen unter Leuchten.',
+    'Die Leuchten hängen als regelmäßiges Feld, und wenige Felder erfüllen alles. Frei gehängt folgen sie dem Regler; Anzahl und Reihen stehen unter Leuchten.',
   hangFreely: 'Frei hängen',
   glare: {
     none: 'Blendfrei',

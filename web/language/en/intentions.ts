@@ -123,7 +123,7 @@ export const intentions = {
   firstHint:
     'Drag the slider: the luminaires find new places. Number and rows are under Luminaires, the verdict under Results.',
   firstHintOfField:
-    'The luminaires hang as a regular field, which few layouts are. Hung freely, they follow the slider; number and rows are under Luminaires.',
+    'The luminaires hang as a regular field, and few fields meet everything. Hung freely, they follow the slider; number and rows are under Luminaires.',
   hangFreely: 'Hang them freely',
   glare: {
     none: 'No glare',
