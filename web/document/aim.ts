@@ -9,12 +9,13 @@ const dimmest = 0.1; // as dimming is when it is switched on
 const furthest = 20; // times the flux: what is further is no matter of flux
 const spare = 0.8; // of what is needed, so that layouts that give more can be dimmed to it, too
 
-export const missesAim = (mean: number, aim: number | undefined): aim is number =>
-  aim !== undefined && Math.abs(mean - aim) > near * aim;
+const isOff = (mean: number, aim: number | undefined, share: number): aim is number =>
+  aim !== undefined && Math.abs(mean - aim) > share * aim;
+
+export const missesAim = (mean: number, aim: number | undefined): aim is number => isOff(mean, aim, near);
 
 /** So far that no tick belongs beside the two figures, though every bound is met. */
-export const isFarFrom = (mean: number, aim: number | undefined): boolean =>
-  aim !== undefined && Math.abs(mean - aim) > far * aim;
+export const isFarFrom = (mean: number, aim: number | undefined): boolean => isOff(mean, aim, far);
 
 export type AimWay = { readonly dimming: readonly [number, number] } | { readonly flux: number };
 

@@ -1,6 +1,6 @@
 /** The luminaires of a layout as they are ordered: a row for each kind, and what each of them draws. */
 import { inPlan, type PlanFrame } from './plan-frame.ts';
-import { pointingsOf, type Pointing } from './pointing.ts';
+import type { Pointing } from './pointing.ts';
 import { positionOf } from './sites.ts';
 import type { Layout, LuminaireType, SceneInfo } from './types.ts';
 import { words } from '../language/language.ts';
@@ -33,13 +33,12 @@ export interface ScheduleRow extends Drawn {
 }
 
 export function scheduleOf(
-  layout: Layout,
+  layout: Layout & { readonly pointings: readonly Pointing[] },
   sites: SceneInfo['sites'],
   frame: PlanFrame,
   efficacy: number,
   types: readonly LuminaireType[] = [],
 ): ScheduleRow[] {
-  const pointings = pointingsOf(layout, sites, frame, types);
   const rows = new Map<string, Omit<ScheduleRow, 'letter'> & { product: string; tags: string[] }>();
   layout.sites.forEach((site, index) => {
     const drawn = drawnBy(layout, index, efficacy, types);
@@ -48,7 +47,7 @@ export function scheduleOf(
       : words.value.report.schedule.square(fixed(sites.size[site] ?? 0, 2));
     const height = inPlan(frame, positionOf(sites, site))[2];
     const mounting = words.value.report.schedule.at(
-      mountedText(sites.normal[3 * site + 1] ?? 0, pointings[index]!),
+      mountedText(sites.normal[3 * site + 1] ?? 0, layout.pointings[index]!),
       fixed(height, 2),
     );
     const product = [name, drawn.flux.toFixed(1), drawn.watts.toFixed(2)].join('\n');

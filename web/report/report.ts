@@ -1,9 +1,9 @@
 /** What stands in the report: every figure is the app's own, in the app's own words. */
-import { readSurface } from '../app/exports/plan-drawings.ts';
 import {
   areasInPlan,
   drawn,
   hungInPlan,
+  readSurface,
   tasksInPlan,
   type HungInPlan,
 } from '../app/exports/plan-drawings.ts';
@@ -68,8 +68,8 @@ export function reportOf(app: App): Report {
   const best = store.bestFigures.peek();
   const efficacy = store.efficacy.peek();
   const power = powerOf(layout, scene, efficacy, types);
-  const schedule = scheduleOf(layout, scene.sites, plan.frame, efficacy, types);
   const pointings = pointingsOf(layout, scene.sites, plan.frame, types);
+  const schedule = scheduleOf({ ...layout, pointings }, scene.sites, plan.frame, efficacy, types);
   const isPlane = ({ name }: SurfaceResult) =>
     store.sceneWithAreas.peek()?.surfaces.some((leaf) => leaf.name === name && leaf.measuring) ?? false;
   const rows = shown.surfaces

@@ -1,5 +1,6 @@
 /** Luminaires as they are ordered: letters of types, and how they are mounted. */
 import { expect, test } from '@jest/globals';
+import { pointingsOf } from '../../../web/document/pointing.ts';
 import { scheduleOf } from '../../../web/document/schedule.ts';
 import type { LuminaireType, Mounting } from '../../../web/document/types.ts';
 import { speak } from '../../../web/language/language.ts';
@@ -14,11 +15,14 @@ const hung = (type: string, aim: Mounting['aim'] = null): Mounting => ({ type, t
 
 const rowsOf = (mountings: readonly Mounting[], types: readonly LuminaireType[], its = sites) => {
   const layout = { sites: mountings.map((_, i) => i), flux: mountings.map(() => 900), dimming: 1, mountings };
-  return scheduleOf(layout, its, fakePlan.frame, 100, types).map(({ letter, tags, mounting }) => ({
-    letter,
-    tags: tags.join(' '),
-    mounting,
-  }));
+  const pointings = pointingsOf(layout, its, fakePlan.frame, types);
+  return scheduleOf({ ...layout, pointings }, its, fakePlan.frame, 100, types).map(
+    ({ letter, tags, mounting }) => ({
+      letter,
+      tags: tags.join(' '),
+      mounting,
+    }),
+  );
 };
 
 test('one type that hangs straight down is one row without a letter', () => {

@@ -18,8 +18,8 @@ function inMetres([x, y, z]: readonly [number, number, number], { choices, surve
   return [unit * right, unit * up, unit * back];
 }
 
-/** How a model was understood for the last time. */
-export interface Understood extends Pick<SheetState, 'choices' | 'remarks' | 'isAtRemarks'> {
+/** A model as it was lit for the last time. */
+export interface LitModel extends Pick<SheetState, 'choices' | 'remarks' | 'isAtRemarks'> {
   readonly model: Model;
 }
 
@@ -31,7 +31,7 @@ export class ImportSheet {
   #turn = 0; // the latest look wins
   readonly #forget: () => void;
 
-  constructor(store: Store, lighting: Lighting, createPool: CreatePool, { model, ...last }: Understood) {
+  constructor(store: Store, lighting: Lighting, createPool: CreatePool, { model, ...last }: LitModel) {
     this.#store = store;
     this.#lighting = lighting;
     this.#createPool = createPool;

@@ -119,8 +119,8 @@ function WayTo({ way }: { way: AimWay }) {
 function NoneNearer() {
   const { store } = useApp();
   const { aim } = words.value.intentions;
-  const { bound } = store;
-  const isProved = bound.value !== null && isBest(bound.value.gap);
+  const bound = store.bound.value;
+  const isProved = bound !== null && isBest(bound.gap);
   return (
     <div class="row aim-beyond">
       <span class="field-note">{isProved ? aim.noneNearer : aim.noneFoundNearer}</span>

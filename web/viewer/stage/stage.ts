@@ -163,10 +163,12 @@ export class Stage {
     const view = { width: this.width, height: this.height, ratio: this.ratio };
     const ofView = this.#covered ?? covered;
     this.#take(size, covered);
-    draw();
-    const picture = this.png(); // has copied the canvas when it returns
-    this.#take(view, ofView);
-    return picture;
+    try {
+      draw();
+      return this.png(); // has copied the canvas when it returns
+    } finally {
+      this.#take(view, ofView);
+    }
   }
 
   /** The middle of a frame drawn just now, in the same task, in so few pixels: to encode all of it takes long. */
