@@ -184,14 +184,14 @@ const rooms = [
     precompute: ['--patch', '0.2', '--cluster', '4', '--site-size', '0.3'],
     opening: {
       cards: [
-        { verb: 'homogenize', surfaces: sheets, aim: 42, guarantee: { by: 'patches', alpha: 1, max: 50 } },
+        { verb: 'homogenize', surfaces: sheets, aim: 34, guarantee: { by: 'patches', alpha: 1, max: 50 } },
         { verb: 'illuminate', surfaces: sculptures, aim: 20, weight: 0.5 },
         { verb: 'overshadow', surfaces: ['floor'], weight: 0.3 },
       ],
-      luminaires: { count: 14, dimming: [0.02, 1] },
+      luminaires: { count: 18, dimming: [0.02, 1] },
       types: [
-        { photometry: 'spot-24.ldt', count: [12, 12], aims: sheets },
-        { photometry: 'spot-36.ies', count: [2, 2], aims: sculptures },
+        { photometry: 'spot-36.ies', flux: 600, watts: 6, count: [16, 16], aims: sheets, maxAimingAngle: 45 },
+        { photometry: 'spot-24.ldt', count: [2, 2], aims: sculptures, maxAimingAngle: 45 },
       ],
     },
   },

@@ -59,11 +59,12 @@ const asNew = (factor) => (asked) => ({
 export function openingIntentions({ cards, luminaires, types, quantity = 'illuminance' }) {
   const { most, maintenance: _, arrangement, ...rest } = luminaires;
   const factor = factorOf(luminaires);
-  const inFolder = ({ photometry, count, turns, aims, flux, watts }) => ({
+  const inFolder = ({ photometry, count, turns, aims, maxAimingAngle, flux, watts }) => ({
     photometry: luminaireFolder + photometry,
     count,
     turns,
     aims,
+    maxAimingAngle,
     flux,
     watts,
   });

@@ -1,6 +1,8 @@
 #include "core/candidates/candidate_list.h"
 
 #include <cassert>
+#include <cmath>
+#include <numbers>
 
 #include "core/candidates/mount_area.h"
 #include "core/transport/candidate_fit.h"
@@ -13,6 +15,18 @@ Mounting mountingOf(const Candidate& candidate) {
   mounting.aim = candidate.aim;
   return mounting;
 }
+
+namespace {
+
+constexpr double kAngleSlack = 1e-6;  // degrees: a limit that is an aim's very angle holds it
+
+/// Degrees; 0 where it is aimed at its own place.
+double aimingAngle(const Site& site, const Vec3& aim) {
+  const Vec3 to = aim - site.position;
+  return std::atan2(length(cross(site.normal, to)), dot(site.normal, to)) * 180 / std::numbers::pi;
+}
+
+}  // namespace
 
 std::vector<Candidate> candidatesOf(const Scene& room, const std::vector<CandidateType>& types,
                                     const std::vector<TypeWays>& ways) {
@@ -33,6 +47,9 @@ std::vector<Candidate> candidatesOf(const Scene& room, const std::vector<Candida
   for (std::uint32_t site = 0; site < room.sites.size(); ++site)
     for (Candidate candidate : onOne) {
       candidate.site = site;
+      if (candidate.aim &&
+          aimingAngle(room.sites[site], *candidate.aim) > ways[candidate.type].maxAimingAngle + kAngleSlack)
+        continue;
       const CandidateType& type = types[candidate.type];
       const Luminaire luminaire =
           mountedLuminaire(type.photometric, type.flux, room.sites[site], mountingOf(candidate));

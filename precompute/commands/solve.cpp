@@ -102,6 +102,8 @@ Json runJson(PreparedScene& prepared, const AskedSearch& asked, const Run& run) 
   return json;
 }
 
+constexpr double kRounding = 1e-9;  // %: what dimming to an aim leaves of it
+
 std::string goalLine(const Scene& scene, const Intentions& intentions, const Shown& shown, std::size_t g) {
   const Goal& goal = intentions.goals[g];
   const StatisticTraits& traits = traitsOf(goal.statistic);
@@ -112,9 +114,11 @@ std::string goalLine(const Scene& scene, const Intentions& intentions, const Sho
   line += traits.name;
   if (traits.needsSurfaces) line += " of " + surfaceSetName(scene, goal.surfaces);
   if (traits.needsOver) line += " over " + surfaceSetName(scene, goal.over);
-  if (near)
+  if (near) {
+    const double off = 100 * shown.goals[g];  // %
     return line + " near " + valueText(scene, goal.target, goal.statistic, quantity) + ": " +
-           shortNumber(100 * shown.goals[g], kReportDigits) + " % off";
+           shortNumber(off < kRounding ? 0 : off, kReportDigits) + " % off";
+  }
   return line + ": " + valueText(scene, shown.goals[g], goal.statistic, quantity);
 }
 

@@ -117,7 +117,7 @@ Vec3 aimOf(const Scene& room, const JsonField& json) {
 }
 
 AskedType typeOf(const Scene& room, const JsonField& json, const ReadNamed& read) {
-  json.requireKeys({"photometry", "count", "turns", "aims", "flux", "watts"});
+  json.requireKeys({"photometry", "count", "turns", "aims", "maxAimingAngle", "flux", "watts"});
   const JsonField file = json.at("photometry", "name an .ies or .ldt file");
   AskedType type;
   type.name = file.text();
@@ -133,6 +133,10 @@ AskedType typeOf(const Scene& room, const JsonField& json, const ReadNamed& read
   }
   if (const auto aims = json.find("aims"))
     for (const JsonField& aim : aims->list(kMostWays)) type.ways.aims.push_back(aimOf(room, aim));
+  if (const auto angle = json.find("maxAimingAngle")) {
+    if (type.ways.aims.empty()) angle->fail("it is of luminaires with \"aims\"");
+    type.ways.maxAimingAngle = angle->number(0, kMostAimingAngle);
+  }
   return type;
 }
 

@@ -21,6 +21,7 @@ inline constexpr std::size_t kLongestJson = 2 << 20;  // bytes of a layout or of
 inline constexpr double kAnyNumber = std::numeric_limits<double>::max();
 inline constexpr double kLeastFlux = 1e-6, kLargestFlux = 1e9;  // lm, of a photometric file that is scaled
 inline constexpr double kMostTurn = 3600;                       // degrees
+inline constexpr double kMostAimingAngle = 180;                 // degrees
 
 /// A value somewhere in a document. What it is asked for and cannot give ends the reading.
 class JsonField {

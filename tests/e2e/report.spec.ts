@@ -140,6 +140,8 @@ const cells = (page: Page, caption: RegExp): Promise<string[][]> =>
       rows.map((row) => [...row.querySelectorAll('th, td')].map((cell) => cell.textContent)),
     );
 
+const steepest = 15; // degrees from straight down
+
 /** The box, with two spots that are aimed at its tall block among downlights. */
 async function openSpots(page: Page): Promise<void> {
   await openApp(page, './?room=box');
@@ -157,6 +159,9 @@ async function openSpots(page: Page): Promise<void> {
     await field.press('Enter');
   }
   await page.getByRole('combobox', { name: 'Aim at' }).selectOption('tall block');
+  await page
+    .getByRole('textbox', { name: 'Aiming angle of Spot 24 degrees, at most' })
+    .fill(String(steepest));
   const spots = page.getByRole('table', { name: /Luminaires in place/ }).getByText('any: Spot 24 degrees');
   await expect(spots).toHaveCount(2);
   await settled(page);
@@ -187,7 +192,10 @@ test('the report says of each luminaire which it is and where it is aimed', asyn
   expect(hung.map((row) => row.slice(0, 5))).toEqual(wanted);
   const tilts = hung.filter((row) => row[4] !== '–').map((row) => Number.parseFloat(row[5]!));
   expect(tilts).toHaveLength(2);
-  for (const tilt of tilts) expect(tilt).toBeGreaterThan(1);
+  for (const tilt of tilts) {
+    expect(tilt).toBeGreaterThan(1);
+    expect(tilt).toBeLessThanOrEqual(steepest);
+  }
   const drawn = await report(page)
     .getByRole('img', { name: 'The plan with its luminaires' })
     .locator('.luminaire text')

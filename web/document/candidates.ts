@@ -1,8 +1,8 @@
 /**
  * Everything that luminaires of some types could do in a room: a candidate is a site, a type on it, its turn and its aim.
- * Those whose luminous area does not fit on the mount are left out.
+ * Those whose luminous area does not fit on the mount, or that would be aimed too far from its normal, are left out.
  */
-import { frameOn, middleOf } from './mounting.ts';
+import { angleFromNormal, frameOn, middleOf } from './mounting.ts';
 import type { PhotometricDescription } from './photometry.ts';
 import { positionOf, siteCount } from './sites.ts';
 import { leavesOf } from './surface-names.ts';
@@ -20,6 +20,7 @@ type Sites = SceneInfo['sites'];
 
 const tiltReach = 10; // m from the site to a point that stands for a tilt
 const slack = 0.02; // m by which an edge may overhang
+const angleSlack = 1e-3; // degrees: sites are told in single precision
 
 /** The point of an aim; null where the room has no such surface. */
 export function pointOf(aim: Aim, scene: SceneInfo): Point | null {
@@ -71,17 +72,41 @@ export function candidatesOf(
   return (some ?? [...Array(siteCount(sites)).keys()]).flatMap((site) =>
     ways.flatMap(({ type, ways: all, luminous }) =>
       all
-        .filter((way) => !luminous || mount.holds(site, way, luminous))
+        .filter(
+          (way) => turnsFarEnough(type, way, sites, site) && (!luminous || mount.holds(site, way, luminous)),
+        )
         .map((way) => candidateOf(sites, site, type, way)),
     ),
   );
 }
 
-/** Whether a type fits on any site. */
-export function fitsSomewhere(type: LuminaireType, luminous: Luminous, scene: SceneInfo): boolean {
+/** Why a type can hang on no site: it is too large for any, or too far from all that it is aimed at. Null where it can. */
+export function whyNowhere(
+  type: LuminaireType,
+  luminous: Luminous,
+  scene: SceneInfo,
+): 'size' | 'angle' | null {
   const mount = mountOf(scene.sites);
   const sites = [...Array(siteCount(scene.sites)).keys()];
-  return mountingsOf(type, scene).some((way) => sites.some((site) => mount.holds(site, way, luminous)));
+  let why: 'size' | 'angle' = 'size';
+  for (const way of mountingsOf(type, scene))
+    for (const site of sites) {
+      if (!mount.holds(site, way, luminous)) continue;
+      if (turnsFarEnough(type, way, scene.sites, site)) return null;
+      why = 'angle';
+    }
+  return why;
+}
+
+/** Whether a luminaire of the type can be aimed so from there. */
+function turnsFarEnough(
+  { maxAimingAngle }: LuminaireType,
+  way: Mounting,
+  sites: Sites,
+  site: number,
+): boolean {
+  if (maxAimingAngle === undefined || !way.aim) return true;
+  return angleFromNormal(sites, site, frameOn(sites, site, way).down) <= maxAimingAngle + angleSlack;
 }
 
 const mounts = new WeakMap<Sites, Mount>();

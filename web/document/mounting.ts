@@ -59,6 +59,12 @@ export function frameOn(
   return { down, along: inPlane(turned, down) };
 }
 
+/** Degrees between a direction (unit) and the normal of a site's mount. */
+export function angleFromNormal(sites: Sites, site: number, direction: Point): number {
+  const normal = directionAt(sites.normal, site);
+  return Math.atan2(Math.hypot(...cross(normal, direction)), dot(normal, direction)) / radians;
+}
+
 /** The frame of a luminaire that hangs; one of a type that is not there any more shines along its mount's normal. */
 export function frameOf(
   sites: Sites,

@@ -101,6 +101,7 @@ export const typeEntries = {
   turns: v.pipe(v.array(degrees), v.minLength(1), v.maxLength(72)),
   tilt: number(0, 180),
   aims: v.pipe(v.array(v.union([nameSchema, pointSchema])), v.maxLength(64)),
+  maxAimingAngle: v.exactOptional(number(0, 180)),
 };
 
 const typesSchema = v.pipe(

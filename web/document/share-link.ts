@@ -87,7 +87,7 @@ export type Decoded =
 
 const { pinned: _pinned, types: _types, ...ruleEntries } = luminairesSchema.entries;
 
-const { id, name, maker, file, hash, flux, watts, count, turns, tilt, aims } = typeEntries;
+const { id, name, maker, file, hash, flux, watts, count, turns, tilt, aims, maxAimingAngle } = typeEntries;
 
 /** A type: what is usual is left out. */
 const linkedType = v.object({
@@ -105,6 +105,7 @@ const linkedType = v.object({
   u: v.exactOptional(turns, () => [0]),
   k: v.exactOptional(tilt, 0),
   a: v.exactOptional(aims, () => []),
+  g: maxAimingAngle,
 });
 
 /** Number of the type, its turn, and where it is aimed (cm). */
@@ -270,6 +271,7 @@ function typeIn(type: LuminaireType, text: string | undefined): v.InferInput<typ
     ...(type.aims.length > 0 && {
       a: type.aims.map((aim) => (typeof aim === 'string' ? aim : rounded(aim, 3))),
     }),
+    ...(type.maxAimingAngle !== undefined && { g: type.maxAimingAngle }),
   };
 }
 
@@ -372,13 +374,13 @@ function typesFrom(
 ): { readonly types: LuminaireType[]; readonly files: PhotometricFiles } | string {
   const files: Record<string, string> = {};
   const types: LuminaireType[] = [];
-  for (const { i, n, m, f, h, d, l, w, o, x, c, u, k, a } of list) {
+  for (const { i, n, m, f, h, d, l, w, o, x, c, u, k, a, g } of list) {
     if (types.some((other) => other.id === i)) return words.value.files.link.sameName;
     const own = d === undefined ? h : hashOf(bytesOfText(d));
     if (own === undefined) return words.value.files.link.whichFile;
     if (d !== undefined) files[own] = d;
     const overridden = o !== undefined && { isOverridden: o };
-    const use = { isAllowed: !x, count: c, turns: u, tilt: k, aims: a };
+    const use = { isAllowed: !x, count: c, turns: u, tilt: k, aims: a, ...(g !== undefined && { maxAimingAngle: g }) };
     types.push({ id: i, name: n, maker: m, file: f, hash: own, flux: l, watts: w, ...overridden, ...use });
   }
   return { types, files };

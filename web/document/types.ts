@@ -83,6 +83,7 @@ export interface LuminaireType {
   readonly turns: readonly number[]; // degrees about the mount's normal, from its axis; at least one
   readonly tilt: number; // degrees that gamma 0 leans from the mount's normal towards C0, where it is not aimed
   readonly aims: readonly Aim[]; // none: it shines along the mount's normal
+  readonly maxAimingAngle?: number; // degrees from the mount's normal to where it is aimed; absent: any
 }
 
 /** A luminaire of a type as it hangs. */

@@ -410,13 +410,14 @@ export class Mounts {
 
   /** What their candidates depend on. */
   #usedOf(wanted: Wanted): string {
-    const used = this.#types(wanted).map(({ id, hash, flux, turns, tilt, aims }) => [
+    const used = this.#types(wanted).map(({ id, hash, flux, turns, tilt, aims, maxAimingAngle }) => [
       id,
       hash,
       flux,
       turns,
       tilt,
       aims,
+      maxAimingAngle,
     ]);
     return JSON.stringify(used);
   }
@@ -463,6 +464,6 @@ const hasNoArea = ({ name }: LuminaireType): string =>
 function fitsNowhere(types: readonly LuminaireType[]): string {
   const names = types.map(({ name }) => `“${name}”`).join(', ');
   return types.length === 1
-    ? `${names} fits on no place of this room: take a smaller luminaire`
-    : `${names} fit on no place of this room: take a smaller luminaire`;
+    ? `${names} fits on no place of this room: take a smaller luminaire, or allow a larger aiming angle`
+    : `${names} fit on no place of this room: take a smaller luminaire, or allow a larger aiming angle`;
 }

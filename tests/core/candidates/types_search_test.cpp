@@ -347,6 +347,14 @@ TEST(CandidateList, HasEveryWayThatFits) {
   EXPECT_EQ(candidates[1].turn, 90);
   EXPECT_EQ(candidates[3].aim->x, 2);
   for (std::size_t c = 0; c < candidates.size(); ++c) EXPECT_EQ(candidates[c].way, c % 4);
+  // Sites lie half a metre apart on a ceiling; one of two aims is straight below the second.
+  const Vec3 below = room().sites[1].position + room().sites[1].normal;
+  const auto within = [&](double angle) {
+    return candidatesOf(room(), {types[1]}, {{{0}, {below}, angle}}).size();
+  };
+  EXPECT_EQ(within(0), 1u);
+  EXPECT_EQ(within(27), 3u);  // its neighbours: 26.6 degrees
+  EXPECT_EQ(within(180), 6u);
   CandidateType wide = typeOf(1, 900, 9);
   wide.photometric.luminous.length = wide.photometric.luminous.width = 1;
   EXPECT_TRUE(candidatesOf(room(), {wide}, {{}}).empty());  // sites are 0.5 m wide, in one row

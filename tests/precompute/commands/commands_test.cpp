@@ -368,6 +368,12 @@ TEST_F(Commands, TypesAreRefusedWithACure) {
   EXPECT_THAT(refusal(R"("types": [{"photometry": "lamp.ies", "count": [4, 2]}])"),
               HasSubstr("the least first"));
   EXPECT_THAT(refusal(R"("types": [{"photometry": "lamp.ies", "aims": ["flor"]}])"), HasSubstr("\"floor\""));
+  EXPECT_THAT(refusal(R"("types": [{"photometry": "lamp.ies", "maxAimingAngle": 45}])"),
+              HasSubstr("it is of luminaires with \"aims\""));
+  EXPECT_THAT(refusal(R"("types": [{"photometry": "lamp.ies", "aims": ["wall 1"], "maxAimingAngle": 200}])"),
+              HasSubstr("maxAimingAngle"));
+  EXPECT_THAT(refusal(R"("types": [{"photometry": "lamp.ies", "aims": ["wall 1"], "maxAimingAngle": 0}])"),
+              HasSubstr("allow a larger aiming angle"));
   EXPECT_THAT(refusal(R"("count": 3, "types": [{"photometry": "lamp.ies", "count": 2}])"),
               HasSubstr("the types allow 2 together, but the count is 3"));
   EXPECT_THAT(refusal("\"fixed\": [{\"luminaire\": 1, \"photometry\": \"x.ies\"}], " + lamp),

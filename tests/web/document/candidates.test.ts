@@ -1,6 +1,7 @@
 /** What luminaires of some types could do in a room. */
 import { expect, test } from '@jest/globals';
-import { candidatesOf, fitsSomewhere, mountingsOf } from '../../../web/document/candidates.ts';
+import { candidatesOf, mountingsOf, whyNowhere } from '../../../web/document/candidates.ts';
+import type { Aim, Point } from '../../../web/document/types.ts';
 import { fakeScene } from '../fake-solver.ts';
 import { luminaireType, photometricText } from './luminaire-type.ts';
 
@@ -49,8 +50,22 @@ test('what is longer than its place is offered where its neighbours carry it', (
   expect(sitesOf(1.8)).toHaveLength(8);
   expect(sitesOf(1.8, 'C90').every((site) => site > 3 && site < 12)).toBe(true);
   expect(sitesOf(5)).toEqual([]);
-  expect(fitsSomewhere(type, area(1.8, 0.1), scene)).toBe(true);
-  expect(fitsSomewhere(type, area(5, 0.1), scene)).toBe(false);
+  expect(whyNowhere(type, area(1.8, 0.1), scene)).toBeNull();
+  expect(whyNowhere(type, area(5, 0.1), scene)).toBe('size');
+});
+
+test('a largest aiming angle leaves out places that are further away, and does nothing where nothing is aimed at', () => {
+  const under: Point = [0, 2, 0]; // 1 m below the first site; the next ones are 45 degrees off
+  const sitesWithin = (maxAimingAngle: number, aims: readonly Aim[] = [under]) =>
+    candidatesOf([{ ...type, aims, maxAimingAngle }], () => undefined, scene).map(({ site }) => site);
+  expect(sitesWithin(0)).toEqual([0]);
+  expect(sitesWithin(44)).toEqual([0]);
+  expect(sitesWithin(45)).toEqual([0, 1, 4]);
+  expect(sitesWithin(60)).toEqual([0, 1, 4, 5]);
+  expect(sitesWithin(180)).toHaveLength(16);
+  expect(sitesWithin(0, [])).toHaveLength(16);
+  const overhead = { ...type, aims: [[0, 4, 0] as const], maxAimingAngle: 90 };
+  expect(whyNowhere(overhead, area(0.1, 0.1), scene)).toBe('angle');
 });
 
 test('a hall’s places are listed while nobody waits, those for long luminaires too', () => {

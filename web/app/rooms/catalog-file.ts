@@ -77,6 +77,7 @@ const openingType = v.object({
   count: v.optional(typeEntries.count, [0, mostLuminaires]),
   turns: v.optional(typeEntries.turns, [0]),
   aims: v.optional(typeEntries.aims, []),
+  maxAimingAngle: typeEntries.maxAimingAngle,
 });
 
 const opening = v.object({

@@ -37,7 +37,7 @@ export interface OpeningCard extends Omit<Card, 'mean' | 'spread' | 'guarantee'>
 export interface OpeningType
   extends
     Pick<LuminaireType, 'count' | 'turns' | 'aims'>,
-    Partial<Pick<LuminaireType, 'name' | 'flux' | 'watts'>> {
+    Partial<Pick<LuminaireType, 'maxAimingAngle' | 'name' | 'flux' | 'watts'>> {
   readonly photometry: string;
 }
 

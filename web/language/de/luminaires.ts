@@ -111,6 +111,9 @@ export const luminaires: Words['luminaires'] = {
     remove: (aim) => `Nicht auf ${aim} ausrichten`,
     pointField: 'Zielpunkt',
     addPoint: 'Auf diesen Punkt ausrichten',
+    angle: 'Ausrichtwinkel, höchstens',
+    angleOf: (name) => `Ausrichtwinkel von ${name}, höchstens`,
+    angleTip: 'Gegen das Lot auf die Montagefläche: unter einer Decke senkrecht nach unten',
   },
   type: {
     remove: (name) => `${name} entfernen`,
@@ -123,7 +126,11 @@ export const luminaires: Words['luminaires'] = {
     color: 'Farbe',
     whichFlux: (name) => `Welchen Lichtstrom hat ${name}?`,
     open: 'Öffnen',
-    fitsNowhere: 'Passt auf keinen Platz in diesem Raum.',
+    nowhere: {
+      size: 'Passt auf keinen Platz in diesem Raum.',
+      angle:
+        'Von keinem Platz dieses Raums lässt sie sich in einem so kleinen Winkel ausrichten: einen größeren zulassen.',
+    },
     soon: 'Leuchtet, sobald der Raum in voller Qualität da ist.',
     squaresOnly: 'Die Datei dieses Raums kennt nur Lambert-Quadrate: neu berechnen.',
     disputed: (said, held) => `Die Datei nennt ${said} lm, ihre Tabelle ergibt ${held}: Was gilt?`,

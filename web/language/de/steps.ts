@@ -45,6 +45,7 @@ export const steps: Words['steps'] = {
   energy: 'Energie einstellen',
   addLuminaires: 'Leuchten hinzufügen',
   aims: 'Ausrichtung',
+  aimingAngle: 'Ausrichtwinkel',
   fluxOf: (name) => `Lichtstrom von ${name}`,
   ofType: (what, name) => `${what} von ${name}`,
   use: 'Verwendung',

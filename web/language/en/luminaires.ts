@@ -113,6 +113,9 @@ export const luminaires = {
     remove: (aim: string) => `Do not aim at ${aim}`,
     pointField: 'Point to aim at',
     addPoint: 'Aim at this point',
+    angle: 'Aiming angle, at most',
+    angleOf: (name: string) => `Aiming angle of ${name}, at most`,
+    angleTip: 'From the mount’s normal: straight down under a ceiling',
   },
   type: {
     remove: (name: string) => `Remove ${name}`,
@@ -125,7 +128,10 @@ export const luminaires = {
     color: 'Colour',
     whichFlux: (name: string) => `Which flux does ${name} have?`,
     open: 'Open it',
-    fitsNowhere: 'It fits on no place of this room.',
+    nowhere: {
+      size: 'It fits on no place of this room.',
+      angle: 'From no place of this room can it be aimed at an angle so small: allow a larger one.',
+    },
     soon: 'It shines as soon as the room is there in full quality.',
     squaresOnly: 'This room’s file knows Lambertian squares only: compute it again.',
     disputed: (said: string, held: string) => `The file says ${said} lm, its table holds ${held}: which?`,

@@ -44,6 +44,7 @@ export const steps = {
   energy: 'Energy settings',
   addLuminaires: 'Add luminaires',
   aims: 'Aims',
+  aimingAngle: 'Aiming angle',
   fluxOf: (name: string) => `Flux of ${name}`,
   ofType: (what: string, name: string) => `${what} of ${name}`,
   use: 'Use',

@@ -15,6 +15,7 @@ import { words } from '../../language/language.ts';
 import { surfaceText } from '../../language/surface-names.ts';
 
 const most = 64;
+const anyAngle = 180; // degrees
 
 /** "picture 3", or "3.20, 1.60, 2.80"; nothing of a point in a room that is not there yet. */
 export function aimText(aim: Aim, frame: PlanFrame | null): string {
@@ -82,6 +83,28 @@ export function TypeAims({ type }: TypeProps) {
           ))}
         </ul>
       )}
+      {aims.length > 0 && <AimingAngle type={type} />}
+    </div>
+  );
+}
+
+/** How far from its mount's normal it may be turned: what its joint allows, or what does not dazzle. */
+function AimingAngle({ type }: TypeProps) {
+  const { set, end } = useTypeEdit(type);
+  const { angle, angleOf, angleTip } = words.value.luminaires.aims;
+  return (
+    <div class="setting-row" title={angleTip}>
+      <span>{angle}</span>
+      <NumberField
+        label={angleOf(typeText(type))}
+        unit="°"
+        value={type.maxAimingAngle === anyAngle ? undefined : type.maxAimingAngle}
+        placeholder={words.value.luminaires.use.any}
+        step={5}
+        max={anyAngle}
+        onInput={(maxAimingAngle = anyAngle) => set(words.value.steps.aimingAngle, { maxAimingAngle })}
+        onEnd={end}
+      />
     </div>
   );
 }

@@ -2,7 +2,7 @@
 import { ChevronRight, X } from 'lucide-preact';
 import { useApp } from '../../app/app.ts';
 import { compact, sentence } from '../../app/words/format.ts';
-import { fitsSomewhere } from '../../document/candidates.ts';
+import { whyNowhere } from '../../document/candidates.ts';
 import { hasLuminousArea, type PhotometricDescription } from '../../document/photometry.ts';
 import type { LuminaireType } from '../../document/types.ts';
 import { PolarCurve } from './polar-curve.tsx';
@@ -128,7 +128,7 @@ function Notes({ type, description }: Described) {
   const { store, types, opening } = useApp();
   const isMissing = !(type.hash in types.files.value);
   const scene = store.scene.value;
-  const fits = !scene || !description || fitsSomewhere(type, description, scene);
+  const nowhere = scene && description ? whyNowhere(type, description, scene) : null;
   // The question above says it with both numbers.
   const warnings = description?.warnings.filter((text) => !text.endsWith('which is right?')) ?? [];
   return (
@@ -141,7 +141,7 @@ function Notes({ type, description }: Described) {
           </button>
         </p>
       )}
-      {!fits && <p class="type-note warn">{words.value.luminaires.type.fitsNowhere}</p>}
+      {nowhere && <p class="type-note warn">{words.value.luminaires.type.nowhere[nowhere]}</p>}
       {scene && !scene.hasOperator && (
         <p class="type-note">
           {store.lighting.value && !store.lighting.value.fault

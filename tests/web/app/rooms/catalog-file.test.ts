@@ -61,13 +61,14 @@ describe('the list that is shipped', () => {
   test('names the luminaires that a room opens with, by files of the site', () => {
     const museum = sampleCatalog().rooms.find(({ id }) => id === 'museum');
     expect(museum?.opening?.types?.map(({ photometry }) => photometry)).toEqual([
-      'spot-24.ldt',
       'spot-36.ies',
+      'spot-24.ldt',
     ]);
     expect(museum?.opening?.types?.[0]).toMatchObject({
-      count: [12, 12],
+      count: [16, 16],
       turns: [0],
       aims: expect.any(Array),
+      maxAimingAngle: 45,
     });
   });
 
