@@ -15,8 +15,8 @@ struct TypeWays {
   double maxAimingAngle = 180;      // degrees from the site's normal to where they are aimed
 };
 
-/// Site by site, of each the types in their order; `ways` of each type. Left out is what is aimed too far from
-/// the normal, what hangs over the edge of its mount (MountArea) and what something of the room crosses
+/// Site by site, of each the types in their order; `ways` of each type. Left out is what is aimed too far
+/// from the normal, what hangs over the edge of its mount (MountArea) and what something of the room crosses
 /// (CandidateFit). Precondition: the room has
 /// a light operator.
 std::vector<Candidate> candidatesOf(const Scene& room, const std::vector<CandidateType>& types,
