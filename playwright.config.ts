@@ -28,6 +28,7 @@ export default defineConfig({
         '--use-angle=swiftshader',
         '--enable-unsafe-swiftshader',
         '--disable-background-networking',
+        '--disable-gpu-rasterization', // without a graphics card the page is painted sooner than OpenGL is emulated
       ],
     },
   },

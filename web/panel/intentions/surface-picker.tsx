@@ -23,6 +23,12 @@ interface Props {
   readonly onChange: (names: SurfaceNames) => void;
 }
 
+/** "Surfaces: 12 × desk: desk 1, desk 2 ...": a name holds what is seen, so that it can be spoken to. */
+function heard(label: string, names: SurfaceNames): string {
+  const [seen, each] = [namesText(names), eachText(names)];
+  return seen === each ? `${label}: ${seen}` : `${label}: ${seen}: ${each}`;
+}
+
 export function SurfacePicker({ label, names, onChange }: Props) {
   const { store } = useApp();
   const [open, setOpen] = useState(false);
@@ -58,7 +64,7 @@ export function SurfacePicker({ label, names, onChange }: Props) {
       <button
         class="picker-button"
         aria-expanded={open}
-        aria-label={`${label}: ${eachText(names)}`}
+        aria-label={heard(label, names)}
         onClick={() => setOpen(!open)}
       >
         <span>{namesText(names)}</span>
