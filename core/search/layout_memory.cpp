@@ -12,6 +12,18 @@ constexpr std::uint32_t kDirectionSteps = 1001;
 
 using Numbers = std::vector<std::uint32_t>;
 
+/// Of each candidate its sites' positions, added.
+std::vector<Vec3> positionsOf(const PreparedScene& prepared) {
+  std::vector<Vec3> positions(prepared.candidateCount(), Vec3{0, 0, 0});
+  std::vector<std::uint32_t> members;
+  for (std::uint32_t candidate = 0; candidate < positions.size(); ++candidate) {
+    members.clear();
+    prepared.appendSites(candidate, members);
+    for (const std::uint32_t site : members) positions[candidate] += prepared.scene().sites[site].position;
+  }
+  return positions;
+}
+
 /// Some way across a room. Without a sine, which machines round differently.
 Vec3 anyDirection(Random& random) {
   const auto component = [&] {
@@ -24,18 +36,27 @@ Vec3 anyDirection(Random& random) {
 }  // namespace
 
 LayoutMemory::LayoutMemory(const PreparedScene& prepared, std::vector<double> flux)
-    : prepared_(prepared),
-      flux_(std::move(flux)),
-      isOneFlux_(std::all_of(flux_.begin(), flux_.end(), [&](double each) { return each == flux_[0]; })) {}
+    : flux_(std::move(flux)),
+      isOneFlux_(std::all_of(flux_.begin(), flux_.end(), [&](double each) { return each == flux_[0]; })),
+      positions_(positionsOf(prepared)),
+      fluxOn_(prepared.candidateCount(), 0) {}
 
 std::vector<std::uint32_t> LayoutMemory::keyOf(Numbers sites) const {
   if (isOneFlux_) std::sort(sites.begin(), sites.end());
   return sites;
 }
 
-bool LayoutMemory::holds(const Numbers& sites) const {
-  const Numbers key = keyOf(sites);
-  return std::any_of(kept_.begin(), kept_.end(), [&](const Kept& kept) { return kept.key == key; });
+std::uint32_t LayoutMemory::distanceTo(const Numbers& sites) {
+  const std::size_t count = sites.size();
+  for (std::size_t i = 0; i < count; ++i) fluxOn_[sites[i]] = flux_[i];
+  std::uint32_t most = 0;
+  for (const Kept& kept : kept_) {
+    std::uint32_t alike = 0;
+    for (std::size_t i = 0; i < count; ++i) alike += fluxOn_[kept.sites[i]] == flux_[i] ? 1 : 0;
+    most = std::max(most, alike);
+  }
+  for (const std::uint32_t site : sites) fluxOn_[site] = 0;
+  return static_cast<std::uint32_t>(count) - most;
 }
 
 bool LayoutMemory::offer(const Numbers& sites, const Evaluation& evaluation, std::size_t room) {
@@ -64,15 +85,6 @@ void LayoutMemory::orderBy(Key key, Numbers& luminaires) {
   for (std::size_t k = 0; k < order_.size(); ++k) luminaires[k] = order_[k].luminaire;
 }
 
-/// How far a candidate's sites are that way, all together.
-double LayoutMemory::along(const Vec3& direction, std::uint32_t candidate) {
-  members_.clear();
-  prepared_.appendSites(candidate, members_);
-  double sum = 0;
-  for (const std::uint32_t site : members_) sum += dot(direction, prepared_.scene().sites[site].position);
-  return sum;
-}
-
 /// Out of `luminaires` those whose site under `sites` none of `others` has under `otherSites`.
 void LayoutMemory::takeElsewhere(const Numbers& luminaires, const Numbers& sites, const Numbers& others,
                                  const Numbers& otherSites, Numbers& out) {
@@ -93,8 +105,8 @@ void LayoutMemory::cross(FreeSites& freeSites, Random& random, Numbers& child) {
   // Behind the line as many luminaires of each parent, so that their number stays.
   const Vec3 direction = anyDirection(random);
   leaving_ = coming_ = freeSites.movable();
-  orderBy([&](std::uint32_t i) { return along(direction, child[i]); }, leaving_);
-  orderBy([&](std::uint32_t i) { return along(direction, other[i]); }, coming_);
+  orderBy([&](std::uint32_t i) { return dot(direction, positions_[child[i]]); }, leaving_);
+  orderBy([&](std::uint32_t i) { return dot(direction, positions_[other[i]]); }, coming_);
   const auto cut = 1 + random.below(static_cast<std::uint32_t>(leaving_.size()) - 1);
   leaving_.erase(leaving_.begin(), leaving_.begin() + cut);
   coming_.erase(coming_.begin(), coming_.begin() + cut);

@@ -15,15 +15,16 @@ namespace fiatlux {
 
 class LayoutMemory {
  public:
-  /// `prepared` must outlive it; `flux`: of each luminaire, lm.
+  /// `flux`: of each luminaire, lm.
   LayoutMemory(const PreparedScene& prepared, std::vector<double> flux);
 
   /// Keeps a layout unless it is there already. Where `room` layouts are, the worst has to go, which may be
   /// this one. Returns whether it was kept.
   bool offer(const std::vector<std::uint32_t>& sites, const Evaluation& evaluation, std::size_t room);
 
-  /// Is this layout kept, or one that lights alike?
-  bool holds(const std::vector<std::uint32_t>& sites) const;
+  /// How many luminaires of this layout have no like one on their site in the kept one that has most of them
+  /// (Hamming); 0 where one is kept that lights alike. Precondition: no two on one site.
+  std::uint32_t distanceTo(const std::vector<std::uint32_t>& sites);
 
   /// Forgets all.
   void clear() { kept_.clear(); }
@@ -55,18 +56,18 @@ class LayoutMemory {
   std::vector<std::uint32_t> keyOf(std::vector<std::uint32_t> sites) const;
   template <class Key>
   void orderBy(Key key, std::vector<std::uint32_t>& luminaires);
-  double along(const Vec3& direction, std::uint32_t candidate);
   static void takeElsewhere(const std::vector<std::uint32_t>& luminaires,
                             const std::vector<std::uint32_t>& sites, const std::vector<std::uint32_t>& others,
                             const std::vector<std::uint32_t>& otherSites, std::vector<std::uint32_t>& out);
 
-  const PreparedScene& prepared_;
   std::vector<double> flux_;
   bool isOneFlux_;
   std::vector<Kept> kept_;
+  std::vector<Vec3> positions_;  // of each candidate: of its sites together
+  std::vector<double> fluxOn_;   // scratch of distanceTo(): of each candidate, lm
   // Scratch of cross(): making them anew took longer than all else.
   std::vector<Placed> order_;
-  std::vector<std::uint32_t> members_, leaving_, coming_, movers_, targets_;
+  std::vector<std::uint32_t> leaving_, coming_, movers_, targets_;
 };
 
 }  // namespace fiatlux

@@ -7,7 +7,7 @@
 namespace fiatlux {
 namespace {
 
-constexpr std::uint32_t kTabuLuminaires = 8;    // looked at in a step
+constexpr std::uint32_t kTabuLuminaires = 16;   // looked at in a step, of more
 constexpr std::uint32_t kMostCandidates = 512;  // of more, a step lasts as long as many steps of a warm walk
 constexpr std::uint32_t kTrialsPerStep = 10;    // a step counts as so many, for as long it lasts,
 constexpr std::uint32_t kMovesPerTrial = 200;   // and as one more for so many moves

@@ -11,17 +11,19 @@
 namespace fiatlux {
 namespace {
 
-constexpr std::uint32_t kIdleSteps = 20000;   // steps without a single trial: no site is free to go to
-constexpr std::uint32_t kGatherings = 64;     // tried before a walk begins at the best of them
-constexpr std::uint32_t kCenters = 512;       // of gatherings of all luminaires
-constexpr std::uint32_t kFirstRoom = 4;       // layouts remembered, one more for each walk
-constexpr double kCrossShare = 0.3;           // of other work, that much more with each walk
-constexpr std::uint32_t kWalksFirst = 2;      // before layouts are crossed
-constexpr std::uint32_t kCrossings = 2;       // tried before a local search begins at the best of them
-constexpr std::uint32_t kTrialsOfChild = 14;  // a luminaire, by the steps of a tabu search
-constexpr std::uint32_t kMostInVain = 15;     // crossings in a row, until there is another walk
-constexpr std::uint32_t kWalksInVain = 6;     // and at least half of all, until the search starts anew
-constexpr std::uint32_t kMostMisled = 4;      // times: one walk in sixteen leaves true extremes out then
+constexpr std::uint32_t kIdleSteps = 20000;     // steps without a single trial: no site is free to go to
+constexpr std::uint32_t kGatherings = 64;       // tried before a walk begins at the best of them
+constexpr std::uint32_t kCenters = 512;         // of gatherings of all luminaires
+constexpr std::uint32_t kFirstRoom = 4;         // layouts remembered, one more for each walk
+constexpr double kCrossShare = 0.3;             // of other work, that much more with each walk
+constexpr std::uint32_t kWalksFirst = 2;        // before layouts are crossed
+constexpr std::uint32_t kCrossings = 4;         // tried before a local search begins at the best of them
+constexpr std::uint32_t kTrialsOfCrossing = 5;  // it takes as long
+constexpr std::uint32_t kFarShare = 3;          // one luminaire of so many differs from all that is kept
+constexpr std::uint32_t kTrialsOfChild = 14;    // a luminaire, by the steps of a tabu search
+constexpr std::uint32_t kMostInVain = 15;       // crossings in a row, until there is another walk
+constexpr std::uint32_t kWalksInVain = 6;       // and at least half of all, until the search starts anew
+constexpr std::uint32_t kMostMisled = 4;        // times: one walk in sixteen leaves true extremes out then
 
 /// How a search goes about, as suits what its steps are.
 struct Pace {
@@ -297,7 +299,7 @@ bool Vns::isCrossingWorthwhile() {
          static_cast<double>(crossWork_) < kCrossShare * (1 + walks_) * static_cast<double>(otherWork_);
 }
 
-/// Two good layouts put together; where trials are quick, twice, for the better of the two.
+/// Two good layouts put together; where trials are quick, several times, for the best child.
 void Vns::beginCrossing() {
   if (!here().maySurvey()) {
     memory_.cross(freeSites_, random_, child_);
@@ -305,25 +307,35 @@ void Vns::beginCrossing() {
   }
   choosing_ = true;
   crossed_ = 0;
-  childWorth_ = kUnbounded;
+  childMissing_ = kNone;
 }
 
-/// Chooses the child that is worth most, bounds at the price of the last walk, of those not known yet.
+/// Goes on with them, each of which takes as long as several trials.
 std::uint32_t Vns::tryCrossings(std::uint32_t limit) {
-  std::uint32_t spent = 0;
-  for (; crossed_ < kCrossings && spent < limit; ++crossed_, ++spent) {
-    memory_.cross(freeSites_, random_, otherChild_);
-    if (crossed_ == 0) child_ = otherChild_;
-    if (memory_.holds(otherChild_)) continue;
-    const Evaluation evaluation = evaluator_.evaluate(otherChild_);
-    const double worth = evaluation.goal + walk_.penalty() * evaluation.violation;
-    if (!(worth < childWorth_)) continue;
-    childWorth_ = worth;
-    child_.swap(otherChild_);
-  }
+  constexpr std::uint32_t trials = kCrossings * kTrialsOfCrossing;
+  const std::uint32_t spent = std::min(limit, trials - crossed_);
+  for (const std::uint32_t end = crossed_ + spent; crossed_ < end;)
+    if (++crossed_ % kTrialsOfCrossing == 0) tryCrossing();
   work_ += spent;
-  if (crossed_ == kCrossings) searchChild(child_);
+  if (crossed_ == trials) searchChild(child_);
   return spent;
+}
+
+/// Keeps the child if it is the best so far. One that is far from all that is kept comes before one that is
+/// near, which is worth more but leads back: half of the searches from children ended at what was known.
+/// Of those as far counts what they are worth, bounds at the price of the last walk.
+void Vns::tryCrossing() {
+  memory_.cross(freeSites_, random_, otherChild_);
+  const auto movable = static_cast<std::uint32_t>(freeSites_.movable().size());
+  const std::uint32_t far = (movable + kFarShare - 1) / kFarShare, distance = memory_.distanceTo(otherChild_);
+  const std::uint32_t missing = far - std::min(far, distance);
+  if (missing > childMissing_) return;
+  const Evaluation evaluation = evaluator_.evaluate(otherChild_);
+  const double worth = evaluation.goal + walk_.penalty() * evaluation.violation;
+  if (missing == childMissing_ && !(worth < childWorth_)) return;
+  childMissing_ = missing;
+  childWorth_ = worth;
+  child_.swap(otherChild_);
 }
 
 /// A few steps of a tabu search from there, where these are possible; else a local search: quick, and at

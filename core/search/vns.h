@@ -72,6 +72,7 @@ class Vns {
   bool isCrossingWorthwhile();
   void beginCrossing();
   std::uint32_t tryCrossings(std::uint32_t limit);
+  void tryCrossing();
   void searchChild(const std::vector<std::uint32_t>& child);
   void beginGatherings();
   std::uint32_t tryGatherings(std::uint32_t limit);
@@ -129,9 +130,10 @@ class Vns {
 
   // Crossings that are being tried, for a local search from the best of them.
   bool choosing_ = false;
-  std::uint32_t crossed_ = 0;
+  std::uint32_t crossed_ = 0;              // trials
   std::vector<std::uint32_t> child_;       // the best so far
   std::vector<std::uint32_t> otherChild_;  // the one that is being tried
+  std::uint32_t childMissing_ = 0;         // luminaires, to be far from all that is kept
   double childWorth_ = 0;                  // a broken bound at its price
 
   // Gatherings that are being tried.

@@ -206,7 +206,8 @@ The family of true uniformity, which lights thousands of patches a trial, has ${
 
 An evaluation is one trial layout. A survey of twenty sites for a luminaire (\`core/search/survey.cpp\`) takes
 as long as five and counts as five; so does one of twenty pairs of moves. Of true extremes it reads only what the patches
-say that were extreme lately. A look at all moves of eight luminaires (\`core/search/best_move.cpp\`) counts as 15 in the gallery, as 20 in the office.
+say that were extreme lately. A look at all moves of sixteen luminaires (\`core/search/best_move.cpp\`) counts as 20 in the gallery, as 30 in
+the office; a crossing of two layouts (\`core/search/layout_memory.cpp\`) as five.
 
 The gallery is the hardest: its pictures hang on all walls, every luminaire lights several of them, and very many layouts that are
 nothing alike are better than all that is one or two moves away from them. There a gap falls with the logarithm of the

@@ -22,8 +22,6 @@ TEST(LayoutMemory, KeepsTheBestAndNoneTwice) {
   EXPECT_TRUE(memory.offer({1, 2}, worth(5), 2));
   EXPECT_FALSE(memory.offer({2, 1}, worth(5), 2)) << "the same light";
   EXPECT_FALSE(memory.hasParents());
-  EXPECT_TRUE(memory.holds({2, 1}));
-  EXPECT_FALSE(memory.holds({2, 3}));
   EXPECT_TRUE(memory.offer({3, 4}, worth(4), 2));
   EXPECT_FALSE(memory.offer({5, 6}, worth(6), 2)) << "worse than both";
   EXPECT_TRUE(memory.offer({5, 6}, worth(3), 2));
@@ -31,6 +29,22 @@ TEST(LayoutMemory, KeepsTheBestAndNoneTwice) {
   LayoutMemory ofFluxes(prepared, {1000, 2000});
   EXPECT_TRUE(ofFluxes.offer({1, 2}, worth(5), 2));
   EXPECT_TRUE(ofFluxes.offer({2, 1}, worth(4), 2)) << "not the same light";
+}
+
+TEST(LayoutMemory, KnowsHowFarTheNearestIs) {
+  PreparedScene prepared(longCorridor());
+  LayoutMemory memory(prepared, {1000, 1000, 1000});
+  EXPECT_EQ(memory.distanceTo({1, 2, 3}), 3u) << "nothing is kept";
+  memory.offer({1, 2, 3}, worth(5), 2);
+  memory.offer({4, 5, 6}, worth(5), 2);
+  EXPECT_EQ(memory.distanceTo({3, 1, 2}), 0u) << "the same light";
+  EXPECT_EQ(memory.distanceTo({6, 7, 4}), 1u);
+  EXPECT_EQ(memory.distanceTo({1, 4, 7}), 2u) << "of two layouts one each";
+  EXPECT_EQ(memory.distanceTo({7, 8, 9}), 3u);
+  LayoutMemory ofFluxes(prepared, {1000, 2000, 1000});
+  ofFluxes.offer({1, 2, 3}, worth(5), 2);
+  EXPECT_EQ(ofFluxes.distanceTo({3, 2, 1}), 0u) << "the same light";
+  EXPECT_EQ(ofFluxes.distanceTo({2, 1, 3}), 2u) << "not the same light";
 }
 
 TEST(LayoutMemory, ChildrenKeepTheRulesAndHaveTheirParentsSites) {
