@@ -52,8 +52,9 @@ void printTable(const std::vector<ValidationRow>& rows, bool markdown) {
                            : "\n%s\n",
                   topic.c_str());
     }
-    std::printf(format, (markdown ? inCell(row.name) : row.name).c_str(), row.expected, row.got, errorText(row, row.error).c_str(),
-                errorText(row, row.tolerance).c_str(), row.passes() ? "pass" : "FAIL");
+    std::printf(format, (markdown ? inCell(row.name) : row.name).c_str(), row.expected, row.got,
+                errorText(row, row.error).c_str(), errorText(row, row.tolerance).c_str(),
+                row.passes() ? "pass" : "FAIL");
   }
 }
 

@@ -116,7 +116,8 @@ MadeScene fileOf(const std::string& name, const SourceScene& source, const Room&
   if (scene.lightOperator) report.operatorErrors = orThrow(measureOperator(scene, factors));
   std::optional<OpeningLight> opening;
   if (options.opening) opening = orThrow(options.opening(scene));
-  EncodedScene encoded = orThrow(encodeSceneFile(scene, std::move(picture), paper, opening, host.deflate, host.threads));
+  EncodedScene encoded =
+      orThrow(encodeSceneFile(scene, std::move(picture), paper, opening, host.deflate, host.threads));
   report.errors = encoded.errors;
   if (!options.transport.paper)
     report.useless = uselessness({report.balance, report.residuals.empty() ? 0 : report.residuals.back(),

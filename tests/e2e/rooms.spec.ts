@@ -110,7 +110,9 @@ test('families of surfaces are one row until they are opened', async ({ page }) 
   const every = page.getByRole('checkbox', { name: 'desk 1–12' });
   await expect(every).toHaveJSProperty('indeterminate', true);
   await every.check();
-  await expect(page.getByRole('button', { name: /^Surfaces: 12 × desk: desk 1, desk 2/ })).toContainText('12 × desk');
+  await expect(page.getByRole('button', { name: /^Surfaces: 12 × desk: desk 1, desk 2/ })).toContainText(
+    '12 × desk',
+  );
   await settled(page);
 });
 

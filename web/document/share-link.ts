@@ -380,7 +380,14 @@ function typesFrom(
     if (own === undefined) return words.value.files.link.whichFile;
     if (d !== undefined) files[own] = d;
     const overridden = o !== undefined && { isOverridden: o };
-    const use = { isAllowed: !x, count: c, turns: u, tilt: k, aims: a, ...(g !== undefined && { maxAimingAngle: g }) };
+    const use = {
+      isAllowed: !x,
+      count: c,
+      turns: u,
+      tilt: k,
+      aims: a,
+      ...(g !== undefined && { maxAimingAngle: g }),
+    };
     types.push({ id: i, name: n, maker: m, file: f, hash: own, flux: l, watts: w, ...overridden, ...use });
   }
   return { types, files };

@@ -215,7 +215,11 @@ describe('a link', () => {
 describe('a link with luminaire types', () => {
   const texts = [photometricText(20), photometricText(30)];
   const types = [
-    luminaireType('t1', texts[0]!, { turns: [0, 90], aims: ['picture 3', [1.25, 2, -0.5]], maxAimingAngle: 45 }),
+    luminaireType('t1', texts[0]!, {
+      turns: [0, 90],
+      aims: ['picture 3', [1.25, 2, -0.5]],
+      maxAimingAngle: 45,
+    }),
     luminaireType('t2', texts[1]!, { isAllowed: false, isOverridden: true, count: [2, 4], tilt: 30 }),
   ];
   const files = Object.fromEntries(types.map((type, i) => [type.hash, texts[i]!]));

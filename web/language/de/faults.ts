@@ -191,8 +191,10 @@ export const faults: Words['faults'] = {
     'Keine Decke sieht in den Raum: Alle Flächen gelten als zweiseitig, und die nach außen sehen, sind umgedreht',
   fileLights:
     'Lichter und leuchtende Materialien der Datei leuchten nicht: nur die Leuchten, die aufgehängt werden',
-  fitsNowhere: (name) => `${name} passt auf keinen Platz in diesem Raum: eine kleinere Leuchte nehmen oder einen größeren Ausrichtwinkel zulassen`,
-  fitNowhere: (names) => `${names} passen auf keinen Platz in diesem Raum: eine kleinere Leuchte nehmen oder einen größeren Ausrichtwinkel zulassen`,
+  fitsNowhere: (name) =>
+    `${name} passt auf keinen Platz in diesem Raum: eine kleinere Leuchte nehmen oder einen größeren Ausrichtwinkel zulassen`,
+  fitNowhere: (names) =>
+    `${names} passen auf keinen Platz in diesem Raum: eine kleinere Leuchte nehmen oder einen größeren Ausrichtwinkel zulassen`,
   noLuminousArea: (name) =>
     `${name} hat keine leuchtende Fläche, also lässt sich nicht sagen, wie sie blendet: eine andere Leuchte nehmen oder nicht nach Blendung fragen`,
   noFloor: 'Es gibt keinen Boden, über dem eine Nutzebene liegen könnte',

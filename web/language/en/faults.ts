@@ -163,8 +163,10 @@ export const faults = {
     'no ceiling looks into the room: all faces are taken as double-sided, and those that look outward are turned',
   fileLights:
     'lights and emissive materials of the file do not shine: only the luminaires that are placed do',
-  fitsNowhere: (name: string) => `${name} fits on no place of this room: take a smaller luminaire, or allow a larger aiming angle`,
-  fitNowhere: (names: string) => `${names} fit on no place of this room: take a smaller luminaire, or allow a larger aiming angle`,
+  fitsNowhere: (name: string) =>
+    `${name} fits on no place of this room: take a smaller luminaire, or allow a larger aiming angle`,
+  fitNowhere: (names: string) =>
+    `${names} fit on no place of this room: take a smaller luminaire, or allow a larger aiming angle`,
   noLuminousArea: (name: string) =>
     `${name} has no luminous area, so nobody can say how it glares: take another luminaire, or ask for no glare`,
   noFloor: 'there is no floor for a working plane (--plane) to lie over',
