@@ -27,8 +27,7 @@ Result<Done> check(const Scene& room, const std::vector<CandidateType>& types,
   if (candidates.empty())
     return Error{
         "none of the luminaire types fits anywhere in this room; take a smaller one, or allow a larger "
-        "aiming "
-        "angle"};
+        "aiming angle"};
   if (candidates.size() > kMaxCandidates)
     return Error{"these types, turns and aims make " + std::to_string(candidates.size()) +
                  " candidates, more than " + std::to_string(kMaxCandidates) + "; allow fewer of them"};

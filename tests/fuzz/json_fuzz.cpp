@@ -29,17 +29,19 @@ namespace {
 using fiatlux::fuzz::requireOneLine;
 
 const std::vector<std::string> kWords = {
-    "luminaires",   "site",       "flux",        "position",  "normal",        "size",        "axis",
-    "distribution", "lambertian", "isotropic",   "dimming",   "count",         "pinned",      "excluded",
-    "minDistance",  "goals",      "constraints", "quantity",  "illuminance",   "exitance",    "surface",
-    "statistic",    "sense",      "weight",      "over",      "alpha",         "min",         "max",
-    "mean",         "sigma",      "power",       "chebyshev", "minimum",       "maximum",     "uniformity",
-    "contrast",     "near",       "target",      "floor",     "wall \xc3\xa9", "desk plane",  "all",
-    "types",        "photometry", "turns",       "aims",      "watts",         "fixed",       "luminaire",
-    "spot.ies",     "panel.ldt",  "turn",        "aim",       "arrangement",   "rule",        "symmetric",
-    "rows",         "field",      "free",        "found",     "both",          "observers",   "observer",
-    "direction",    "directions", "name",        "room",      "ugr",           "cylindrical", "modelling",
-    "vertical",     "of",         "direct",      "planes",    "paint",         "reflectance"};
+    "luminaires",  "site",         "flux",        "position",      "normal",        "size",
+    "axis",        "distribution", "lambertian",  "isotropic",     "dimming",       "count",
+    "pinned",      "excluded",     "minDistance", "goals",         "constraints",   "quantity",
+    "illuminance", "exitance",     "surface",     "statistic",     "sense",         "weight",
+    "over",        "alpha",        "min",         "max",           "mean",          "sigma",
+    "power",       "chebyshev",    "minimum",     "maximum",       "uniformity",    "contrast",
+    "near",        "target",       "floor",       "wall \xc3\xa9", "desk plane",    "all",
+    "types",       "photometry",   "turns",       "aims",          "watts",         "fixed",
+    "luminaire",   "spot.ies",     "panel.ldt",   "turn",          "aim",           "arrangement",
+    "rule",        "symmetric",    "rows",        "field",         "free",          "found",
+    "both",        "observers",    "observer",    "direction",     "directions",    "name",
+    "room",        "ugr",          "cylindrical", "modelling",     "vertical",      "of",
+    "direct",      "planes",       "paint",       "reflectance",   "maxAimingAngle"};
 
 constexpr std::size_t kMostSeen = 3;  // observers and planes: more take time and find nothing
 

@@ -1,5 +1,5 @@
 // Types in one search: never worse than any of them alone, their counts kept, their watts summed. Covers
-// core/search/type_counts and what the search does with Scene::hangings.
+// candidate_list, core/search/type_counts and what the search does with Scene::hangings.
 #include <gtest/gtest.h>
 
 #include <algorithm>
