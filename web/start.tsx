@@ -19,7 +19,7 @@ export async function start(): Promise<void> {
     await new Promise((resolve) => document.addEventListener('DOMContentLoaded', resolve, { once: true }));
   const root = document.getElementById('app');
   root?.replaceChildren();
-  options.debounceRendering = createRenderTasks();
+  options.debounceRendering = createRenderTasks(window);
   const store = new Store();
   void sentences().catch(() => undefined); // here already, should the connection go
   const wished = wishedLanguage();

@@ -11,7 +11,7 @@ const nextTask = () => new Promise((resolve) => setTimeout(resolve, 20));
 async function drawn(event?: Event): Promise<string[][]> {
   const done: string[] = [];
   const channel = new MessageChannel();
-  const render = createRenderTasks(channel);
+  const render = createRenderTasks(new EventTarget(), channel);
   if (event) globals.event = event;
   render(() => void done.push('first'));
   render(() => void done.push('second'));
@@ -35,4 +35,16 @@ test('what a person does is answered before the next event', async () => {
     ['first', 'second'],
     ['first', 'second'],
   ]);
+});
+
+test('a person finds drawn what was waiting', async () => {
+  const [page, channel, done] = [new EventTarget(), new MessageChannel(), [] as string[]];
+  const render = createRenderTasks(page, channel);
+  render(() => void done.push('first'));
+  render(() => void done.push('second'));
+  page.dispatchEvent(new Event('keydown'));
+  expect(done).toEqual(['first', 'second']);
+  await nextTask();
+  channel.port1.close();
+  expect(done).toEqual(['first', 'second']);
 });
