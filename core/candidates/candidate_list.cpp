@@ -8,6 +8,16 @@
 #include "core/transport/candidate_fit.h"
 
 namespace fiatlux {
+namespace {
+
+constexpr double kAngleSlack = 1e-6;  // degrees: a limit that is an aim's very angle holds it
+
+/// Degrees between two directions.
+double angleBetween(const Vec3& a, const Vec3& b) {
+  return std::atan2(length(cross(a, b)), dot(a, b)) * 180 / std::numbers::pi;
+}
+
+}  // namespace
 
 Mounting mountingOf(const Candidate& candidate) {
   Mounting mounting;
@@ -15,18 +25,6 @@ Mounting mountingOf(const Candidate& candidate) {
   mounting.aim = candidate.aim;
   return mounting;
 }
-
-namespace {
-
-constexpr double kAngleSlack = 1e-6;  // degrees: a limit that is an aim's very angle holds it
-
-/// Degrees; 0 where it is aimed at its own place.
-double aimingAngle(const Site& site, const Vec3& aim) {
-  const Vec3 to = aim - site.position;
-  return std::atan2(length(cross(site.normal, to)), dot(site.normal, to)) * 180 / std::numbers::pi;
-}
-
-}  // namespace
 
 std::vector<Candidate> candidatesOf(const Scene& room, const std::vector<CandidateType>& types,
                                     const std::vector<TypeWays>& ways) {
@@ -47,12 +45,11 @@ std::vector<Candidate> candidatesOf(const Scene& room, const std::vector<Candida
   for (std::uint32_t site = 0; site < room.sites.size(); ++site)
     for (Candidate candidate : onOne) {
       candidate.site = site;
-      if (candidate.aim &&
-          aimingAngle(room.sites[site], *candidate.aim) > ways[candidate.type].maxAimingAngle + kAngleSlack)
-        continue;
       const CandidateType& type = types[candidate.type];
       const Luminaire luminaire =
           mountedLuminaire(type.photometric, type.flux, room.sites[site], mountingOf(candidate));
+      const double most = ways[candidate.type].maxAimingAngle + kAngleSlack;
+      if (candidate.aim && angleBetween(room.sites[site].normal, luminaire.normal) > most) continue;
       if (mount.holds(site, luminaire) && fit.fits(luminaire, type.photometric.luminous.height))
         candidates.push_back(candidate);
     }

@@ -17,8 +17,7 @@ struct TypeWays {
 
 /// Site by site, of each the types in their order; `ways` of each type. Left out is what is aimed too far
 /// from the normal, what hangs over the edge of its mount (MountArea) and what something of the room crosses
-/// (CandidateFit). Precondition: the room has
-/// a light operator.
+/// (CandidateFit). Precondition: the room has a light operator.
 std::vector<Candidate> candidatesOf(const Scene& room, const std::vector<CandidateType>& types,
                                     const std::vector<TypeWays>& ways);
 

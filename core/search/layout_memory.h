@@ -64,7 +64,7 @@ class LayoutMemory {
   bool isOneFlux_;
   std::vector<Kept> kept_;
   std::vector<Vec3> positions_;  // of each candidate: of its sites together
-  std::vector<double> fluxOn_;   // scratch of distanceTo(): of each candidate, lm
+  std::vector<double> fluxOn_;   // scratch of distanceTo(): of each candidate, lm; 0 between two calls
   // Scratch of cross(): making them anew took longer than all else.
   std::vector<Placed> order_;
   std::vector<std::uint32_t> leaving_, coming_, movers_, targets_;

@@ -313,9 +313,9 @@ void Vns::beginCrossing() {
 /// Goes on with them, each of which takes as long as several trials.
 std::uint32_t Vns::tryCrossings(std::uint32_t limit) {
   constexpr std::uint32_t trials = kCrossings * kTrialsOfCrossing;
-  const std::uint32_t spent = std::min(limit, trials - crossed_);
-  for (const std::uint32_t end = crossed_ + spent; crossed_ < end;)
-    if (++crossed_ % kTrialsOfCrossing == 0) tryCrossing();
+  const std::uint32_t spent = std::min(limit, trials - crossed_), done = crossed_ / kTrialsOfCrossing;
+  crossed_ += spent;
+  for (std::uint32_t i = done; i < crossed_ / kTrialsOfCrossing; ++i) tryCrossing();
   work_ += spent;
   if (crossed_ == trials) searchChild(child_);
   return spent;

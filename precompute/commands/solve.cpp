@@ -28,6 +28,8 @@ namespace {
 using Json = nlohmann::ordered_json;
 using Clock = std::chrono::steady_clock;
 
+constexpr double kRounding = 1e-9;  // %: what dimming to an aim leaves of it
+
 struct SolveOptions {
   std::string scene, intentions, output;
   std::uint64_t seed = 1;
@@ -101,8 +103,6 @@ Json runJson(PreparedScene& prepared, const AskedSearch& asked, const Run& run) 
   json["seconds"] = run.seconds;
   return json;
 }
-
-constexpr double kRounding = 1e-9;  // %: what dimming to an aim leaves of it
 
 std::string goalLine(const Scene& scene, const Intentions& intentions, const Shown& shown, std::size_t g) {
   const Goal& goal = intentions.goals[g];

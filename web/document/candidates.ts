@@ -80,15 +80,14 @@ export function candidatesOf(
   );
 }
 
-/** Why a type can hang on no site: it is too large for any, or too far from all that it is aimed at. Null where it can. */
-export function whyNowhere(
-  type: LuminaireType,
-  luminous: Luminous,
-  scene: SceneInfo,
-): 'size' | 'angle' | null {
+/** It is too large for any site, or too far from all that it is aimed at. */
+export type Obstacle = 'size' | 'angle';
+
+/** Why a type can hang on no site; null where it can. */
+export function whyNowhere(type: LuminaireType, luminous: Luminous, scene: SceneInfo): Obstacle | null {
   const mount = mountOf(scene.sites);
   const sites = [...Array(siteCount(scene.sites)).keys()];
-  let why: 'size' | 'angle' = 'size';
+  let why: Obstacle = 'size';
   for (const way of mountingsOf(type, scene))
     for (const site of sites) {
       if (!mount.holds(site, way, luminous)) continue;

@@ -80,6 +80,7 @@ const cardSchema = cardOf(lux);
 export type CheckedCard = v.InferOutput<typeof cardSchema>;
 
 export const mostTypes = 16;
+export const largestAimingAngle = 180; // degrees: any
 export const hashSchema = v.pipe(v.string(), v.regex(/^[0-9a-f]{16}$/));
 const degrees = number(-360, 360);
 
@@ -101,7 +102,7 @@ export const typeEntries = {
   turns: v.pipe(v.array(degrees), v.minLength(1), v.maxLength(72)),
   tilt: number(0, 180),
   aims: v.pipe(v.array(v.union([nameSchema, pointSchema])), v.maxLength(64)),
-  maxAimingAngle: v.exactOptional(number(0, 180)),
+  maxAimingAngle: v.exactOptional(number(0, largestAimingAngle)),
 };
 
 const typesSchema = v.pipe(

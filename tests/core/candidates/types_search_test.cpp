@@ -347,7 +347,7 @@ TEST(CandidateList, HasEveryWayThatFits) {
   EXPECT_EQ(candidates[1].turn, 90);
   EXPECT_EQ(candidates[3].aim->x, 2);
   for (std::size_t c = 0; c < candidates.size(); ++c) EXPECT_EQ(candidates[c].way, c % 4);
-  // Sites lie half a metre apart on a ceiling; one of two aims is straight below the second.
+  // Sites lie half a metre apart on a ceiling; a spot is aimed 1 m below the second one.
   const Vec3 below = room().sites[1].position + room().sites[1].normal;
   const auto within = [&](double angle) {
     return candidatesOf(room(), {types[1]}, {{{0}, {below}, angle}}).size();

@@ -6,6 +6,7 @@ import { Plus, X } from 'lucide-preact';
 import { useState } from 'preact/hooks';
 import { useApp } from '../../app/app.ts';
 import { inPlan, inRoom, placeText, type PlanFrame } from '../../document/plan-frame.ts';
+import { largestAimingAngle } from '../../document/schema.ts';
 import type { Aim, Point } from '../../document/types.ts';
 import { NumberField } from '../controls/number-field.tsx';
 import type { TypeProps } from './type-card.tsx';
@@ -15,7 +16,6 @@ import { words } from '../../language/language.ts';
 import { surfaceText } from '../../language/surface-names.ts';
 
 const most = 64;
-const anyAngle = 180; // degrees
 
 /** "picture 3", or "3.20, 1.60, 2.80"; nothing of a point in a room that is not there yet. */
 export function aimText(aim: Aim, frame: PlanFrame | null): string {
@@ -98,11 +98,13 @@ function AimingAngle({ type }: TypeProps) {
       <NumberField
         label={angleOf(typeText(type))}
         unit="°"
-        value={type.maxAimingAngle === anyAngle ? undefined : type.maxAimingAngle}
+        value={type.maxAimingAngle === largestAimingAngle ? undefined : type.maxAimingAngle}
         placeholder={words.value.luminaires.use.any}
         step={5}
-        max={anyAngle}
-        onInput={(maxAimingAngle = anyAngle) => set(words.value.steps.aimingAngle, { maxAimingAngle })}
+        max={largestAimingAngle}
+        onInput={(maxAimingAngle = largestAimingAngle) =>
+          set(words.value.steps.aimingAngle, { maxAimingAngle })
+        }
         onEnd={end}
       />
     </div>
