@@ -185,13 +185,20 @@ const rooms = [
     opening: {
       cards: [
         { verb: 'homogenize', surfaces: sheets, aim: 34, guarantee: { by: 'patches', alpha: 1, max: 50 } },
-        { verb: 'illuminate', surfaces: sculptures, aim: 20, weight: 0.5 },
+        ...sculptures.map((each) => ({ verb: 'keep', surfaces: [each], mean: { min: 18 } })),
         { verb: 'overshadow', surfaces: ['floor'], weight: 0.3 },
       ],
       luminaires: { count: 18, dimming: [0.02, 1] },
       types: [
-        { photometry: 'spot-36.ies', flux: 600, watts: 6, count: [16, 16], aims: sheets, maxAimingAngle: 45 },
-        { photometry: 'spot-24.ldt', count: [2, 2], aims: sculptures, maxAimingAngle: 45 },
+        { photometry: 'spot-36.ies', flux: 600, watts: 6, count: [16, 16], aims: sheets, maxAimingAngle: 40 },
+        {
+          photometry: 'spot-24.ldt',
+          flux: 900,
+          watts: 9,
+          count: [2, 2],
+          aims: sculptures,
+          maxAimingAngle: 40,
+        },
       ],
     },
   },
