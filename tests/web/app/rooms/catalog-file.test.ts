@@ -68,7 +68,7 @@ describe('the list that is shipped', () => {
       count: [16, 16],
       turns: [0],
       aims: expect.any(Array),
-      maxAimingAngle: 45,
+      maxAimingAngle: 40,
     });
   });
 
