@@ -1,9 +1,10 @@
 /** The page: the tree of components, nothing else. */
-import { render } from 'preact';
+import { options, render } from 'preact';
 import { keepForOffline } from './app/offline.ts';
 import { sentences } from './app/opening/sentences.ts';
 import { Store } from './app/state/store.ts';
 import { speak, wishedLanguage } from './language/language.ts';
+import { createRenderTasks } from './panel/render-tasks.ts';
 import { Shell } from './panel/shell.tsx';
 import { createSolverWorker } from './solver/start-worker.ts';
 import { createViewer } from './viewer/viewer.ts';
@@ -18,6 +19,7 @@ export async function start(): Promise<void> {
     await new Promise((resolve) => document.addEventListener('DOMContentLoaded', resolve, { once: true }));
   const root = document.getElementById('app');
   root?.replaceChildren();
+  options.debounceRendering = createRenderTasks(window);
   const store = new Store();
   void sentences().catch(() => undefined); // here already, should the connection go
   const wished = wishedLanguage();
