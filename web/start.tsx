@@ -7,6 +7,7 @@ import { speak, wishedLanguage } from './language/language.ts';
 import { createRenderTasks } from './panel/render-tasks.ts';
 import { Shell } from './panel/shell.tsx';
 import { createSolverWorker } from './solver/start-worker.ts';
+import type { CreateViewer, Viewer } from './viewer/types.ts';
 import { createViewer } from './viewer/viewer.ts';
 
 /**
@@ -19,12 +20,14 @@ export async function start(): Promise<void> {
     await new Promise((resolve) => document.addEventListener('DOMContentLoaded', resolve, { once: true }));
   const root = document.getElementById('app');
   root?.replaceChildren();
-  options.debounceRendering = createRenderTasks(window);
+  let viewer: Viewer | null = null;
+  options.debounceRendering = createRenderTasks(window, () => viewer?.standBack());
+  const createViewerBehind: CreateViewer = (...parts) => (viewer = createViewer(...parts));
   const store = new Store();
   void sentences().catch(() => undefined); // here already, should the connection go
   const wished = wishedLanguage();
   if (wished !== 'en') await speak(wished).catch(() => undefined); // no connection: English is here
   if (root)
-    render(<Shell store={store} createViewer={createViewer} createWorker={createSolverWorker} />, root);
+    render(<Shell store={store} createViewer={createViewerBehind} createWorker={createSolverWorker} />, root);
   if (import.meta.env.PROD) keepForOffline(store);
 }

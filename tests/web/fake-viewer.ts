@@ -74,6 +74,7 @@ export function fakeViewer(): { viewer: () => FakeViewer; create: CreateViewer }
       setObservers: () => {},
       lookOnly: () => {},
       setDisplay: () => {},
+      standBack: () => undefined,
       holdExposure: (active) => void (viewer.held = active),
       exposureLevel: () => 250,
       setCamera: () => {},

@@ -88,7 +88,6 @@ export function leafBehind({ surfaces }: Pick<SceneInfo, 'surfaces'>, leaf: numb
 interface Level {
   readonly leaf: number;
   readonly height: number; // m
-  readonly rows: Uint32Array;
 }
 
 /** What tells which surfaces are level. */
@@ -115,9 +114,7 @@ function findLevels(scene: Levels): Level[] {
     range[1] = Math.max(range[1], height);
   }
   return ranges
-    .flatMap(([low, high], leaf) =>
-      high - low <= level ? [{ leaf, height: (low + high) / 2, rows: countedRows(scene, leaf) }] : [],
-    )
+    .flatMap(([low, high], leaf) => (high - low <= level ? [{ leaf, height: (low + high) / 2 }] : []))
     .sort((a, b) => a.height - b.height);
 }
 
@@ -133,7 +130,7 @@ export function surfaceUnder(
   const found = levelsOf(scene)
     .map((each) => ({
       ...each,
-      points: each.rows.filter((row) => isInside(outline, placeOf(scene, row))).length,
+      points: countedRows(scene, each.leaf).filter((row) => isInside(outline, placeOf(scene, row))).length,
     }))
     .filter(({ points }) => points > 0);
   const planes = found.filter(({ leaf }) => scene.surfaces[leaf]!.measuring);
@@ -154,10 +151,10 @@ export function worktopsOf(
       const { measuring, area } = scene.surfaces[leaf]!;
       return !measuring && area < 12 && height - floor > lowest && height - floor < highest;
     })
-    .map(({ leaf, height, rows }) => ({
+    .map(({ leaf, height }) => ({
       name: scene.surfaces[leaf]!.name,
       height,
-      outline: hullOf(scene, rows),
+      outline: hullOf(scene, countedRows(scene, leaf)),
     }))
     .filter(({ outline }) => outline.length >= 3);
 }

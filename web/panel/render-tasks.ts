@@ -1,15 +1,22 @@
 /**
  * When the panel is made anew. What a frame or a worker's answer changes is drawn in a task of its own: together with the
- * picture it would hold the page up for longer than either. What a person does finds the page as it should be by then, and
+ * picture it would hold the page up for longer than either. What took long to make takes long to lay out as well: the picture
+ * leaves the next frame to it. What a person does finds the page as it should be by then, and
  * is answered at once, for the next key may mean what this one has changed.
  */
 
 /** What a person does: a browser hands it on before the tasks that wait. */
 const acts = ['keydown', 'beforeinput', 'input', 'change', 'pointerdown', 'pointerup', 'click', 'focusout'];
 
-/** Preact's `options.debounceRendering`. `page`: the target that all acts come by. */
+const much = 8; // ms
+
+/**
+ * Preact's `options.debounceRendering`. `page`: the target that all acts come by; `hasMuch`: hears that much was made in a
+ * task of its own.
+ */
 export function createRenderTasks(
   page: EventTarget,
+  hasMuch: () => void = () => undefined,
   { port1, port2 } = new MessageChannel(),
 ): (flush: () => void) => void {
   const waiting: (() => void)[] = [];
@@ -17,7 +24,11 @@ export function createRenderTasks(
   const flushAll = () => {
     while (waiting.length > 0) flushNext();
   };
-  port1.onmessage = flushNext;
+  port1.onmessage = () => {
+    const begun = performance.now();
+    flushNext();
+    if (performance.now() - begun > much) hasMuch();
+  };
   for (const act of acts) page.addEventListener(act, flushAll, { capture: true });
   return (flush) => {
     if (isAnswerToPerson()) return queueMicrotask(flush);

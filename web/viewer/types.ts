@@ -154,6 +154,8 @@ export interface Viewer {
   /** From now on nothing in the picture can be picked or taken: pointers and keys only move the eye, and hover. */
   lookOnly(): void;
   setDisplay(display: Display): void;
+  /** The next frame is the panel's, which has much to lay out in it. */
+  standBack(): void;
   /** True while a person drags: the exposure stays as it is, so that more light looks brighter. */
   holdExposure(active: boolean): void;
   /** The light that the exposure is made for, lx: what a lock keeps. */

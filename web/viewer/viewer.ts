@@ -24,16 +24,10 @@ import { RoomLight } from './light/room-light.ts';
 import { betterPlace, quadrantShares } from './room/facing.ts';
 import { breath, inTurn } from './stage/breath.ts';
 import { planOf } from './room/floor-plan.ts';
+import { readGlb } from './room/glb.ts';
 import { paintMeshes } from './room/painted-meshes.ts';
 import { patchColors } from './room/patch-colors.ts';
-import {
-  drawnSide,
-  loadPreview,
-  loadRoomMesh,
-  readGlb,
-  type LitMesh,
-  type RoomMesh,
-} from './room/room-mesh.ts';
+import { drawnSide, loadPreview, loadRoomMesh, type LitMesh, type RoomMesh } from './room/room-mesh.ts';
 import { Section } from './room/section.ts';
 import { cutOf, isBuilding, openingCut } from './room/storeys.ts';
 import { SiteMarks } from './luminaires/site-marks.ts';
@@ -328,6 +322,10 @@ class RoomViewer implements Viewer {
     this.#tags.setVisible(display.luminaires !== false);
     this.#applyDisplay();
     this.#loop.invalidate();
+  }
+
+  standBack(): void {
+    this.#loop.standBack();
   }
 
   holdExposure(active: boolean): void {

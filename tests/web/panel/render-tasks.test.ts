@@ -11,7 +11,7 @@ const nextTask = () => new Promise((resolve) => setTimeout(resolve, 20));
 async function drawn(event?: Event): Promise<string[][]> {
   const done: string[] = [];
   const channel = new MessageChannel();
-  const render = createRenderTasks(new EventTarget(), channel);
+  const render = createRenderTasks(new EventTarget(), undefined, channel);
   if (event) globals.event = event;
   render(() => void done.push('first'));
   render(() => void done.push('second'));
@@ -39,7 +39,7 @@ test('what a person does is answered before the next event', async () => {
 
 test('a person finds drawn what was waiting', async () => {
   const [page, channel, done] = [new EventTarget(), new MessageChannel(), [] as string[]];
-  const render = createRenderTasks(page, channel);
+  const render = createRenderTasks(page, undefined, channel);
   render(() => void done.push('first'));
   render(() => void done.push('second'));
   page.dispatchEvent(new Event('keydown'));
@@ -47,4 +47,24 @@ test('a person finds drawn what was waiting', async () => {
   await nextTask();
   channel.port1.close();
   expect(done).toEqual(['first', 'second']);
+});
+
+test('what takes long in a task of its own is told, not what a person waits for', async () => {
+  const [page, channel, told] = [new EventTarget(), new MessageChannel(), [] as string[]];
+  let doing = '';
+  const render = createRenderTasks(page, () => void told.push(doing), channel);
+  const taking = (ms: number, name: string) => () => {
+    const end = performance.now() + ms;
+    while (performance.now() < end);
+    doing = name;
+  };
+  render(taking(20, 'much'));
+  render(taking(0, 'little'));
+  await nextTask();
+  expect(told).toEqual(['much']);
+  render(taking(20, 'asked for'));
+  page.dispatchEvent(new Event('keydown'));
+  await nextTask();
+  channel.port1.close();
+  expect([doing, told]).toEqual(['asked for', ['much']]);
 });

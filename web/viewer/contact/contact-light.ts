@@ -119,11 +119,14 @@ export class ContactLight {
       await rested();
       if (this.#worker !== worker) return;
     }
-    this.#ask({ room: { parts, ...patchesOf(scene) } });
+    const room = { parts, ...patchesOf(scene) };
+    await rested();
+    if (this.#worker === worker) this.#ask({ room }, buffersOf(room));
   }
 
-  #ask(question: ContactQuestion): void {
-    this.#worker?.postMessage(question);
+  /** `transfer`: what the worker takes over. */
+  #ask(question: ContactQuestion, transfer: Transferable[] = []): void {
+    this.#worker?.postMessage(question, transfer);
   }
 
   async #lay(
@@ -225,7 +228,14 @@ function patchesOf({ patches, patchArea, patchCenter }: SceneInfo): Omit<Solid, 
   return { patchCenter: patchCenter.slice(0, 3 * patches), edge: Math.sqrt(areas[areas.length >> 1] ?? 0) };
 }
 
-/** The triangles of a mesh that carries light, in the room's coordinates. */
+/** What a room's numbers are kept in. */
+const buffersOf = ({ parts, patchCenter }: Solid): ArrayBufferLike[] =>
+  [
+    patchCenter,
+    ...parts.flatMap((part) => [part.index, part.positions, part.normals, part.patches, part.weights]),
+  ].map(({ buffer }) => buffer);
+
+/** The triangles of a mesh that carries light, in the room's coordinates; copies. */
 function partOf({ mesh, surface }: LitMesh, { surfaces }: SceneInfo): SolidPart {
   const { geometry, matrixWorld } = mesh;
   const position = geometry.getAttribute('position');

@@ -8,7 +8,6 @@ import {
   Color,
   DoubleSide,
   FrontSide,
-  LoadingManager,
   type Mesh,
   MeshBasicMaterial,
   MeshLambertMaterial,
@@ -19,11 +18,10 @@ import {
   type Object3D,
   type Side as DrawnSide,
 } from 'three';
-import { GLTFLoader, type GLTFLoaderPlugin, type GLTFParser } from 'three/examples/jsm/loaders/GLTFLoader.js';
-import { deinterleaveGeometry } from 'three/examples/jsm/utils/BufferGeometryUtils.js';
 import type { SceneInfo } from '../../document/types.ts';
 import { createLightMaterial, type Albedo, type SharedUniforms } from '../light/light-material.ts';
 import { facingOf, type Facing } from './facing.ts';
+import { readGlb } from './glb.ts';
 import { splitHungMeshes } from './hung-meshes.ts';
 import type { Side } from './standing.ts';
 import type { Box } from '../eye/framing.ts';
@@ -31,7 +29,6 @@ import { inTurn, type Pieces } from '../stage/breath.ts';
 import { meshesUnder } from '../stage/gpu-resources.ts';
 import { words } from '../../language/language.ts';
 import { frontOf } from '../../language/surface-names.ts';
-import { reasonOf } from '../../document/reason.ts';
 
 /** A mesh that carries light: one leaf surface, one material. */
 export interface LitMesh {
@@ -91,32 +88,6 @@ function translucent(material: MeshStandardMaterial): MeshBasicMaterial {
     depthWrite: false,
     side: DoubleSide,
   });
-}
-
-const whitePixel =
-  'data:image/png;base64,iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAAAAAA6fptVAAAACklEQVR4nGP4DwABAQEAsTj2FAAAAABJRU5ErkJggg==';
-
-/** Nothing that a file names is fetched: a picture that is not in it is a white one. */
-const fromFileAlone = new LoadingManager();
-fromFileAlone.setURLModifier((url) => (/^(blob|data):/.test(url) ? url : whitePixel));
-
-/** A picture that is KTX2 alone is none: the material's plain colour is shown, as it counts for the light. */
-const plainForKtx2 = ({ json }: GLTFParser): GLTFLoaderPlugin => ({
-  name: 'KHR_texture_basisu',
-  loadTexture: (index) => (json.textures[index].source === undefined ? Promise.resolve(null as never) : null),
-});
-
-/** Reads any .glb; the buffer stays as it is. Rejects with one readable line. */
-export async function readGlb(glb: ArrayBuffer): Promise<Group> {
-  try {
-    const loader = new GLTFLoader(fromFileAlone).register(plainForKtx2);
-    const gltf = await loader.parseAsync(glb, '');
-    for (const mesh of meshesUnder(gltf.scene)) deinterleaveGeometry(mesh.geometry);
-    return gltf.scene;
-  } catch (error) {
-    const reason = reasonOf(error);
-    throw new Error(words.value.opening.view.notShown(reason), { cause: error });
-  }
 }
 
 function boundsOf(root: Object3D): Box {

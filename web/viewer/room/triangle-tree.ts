@@ -41,7 +41,10 @@ export class TriangleTree {
   static *growing(index: ArrayLike<number>, positions: ArrayLike<number>): Pieces<TriangleTree> {
     const tree = new TriangleTree(index, positions);
     const { length } = tree.#triangles;
-    if (length > 0) yield* tree.#build(tree.#boxes(), 0, length);
+    if (length === 0) return tree;
+    const boxes = tree.#boxes();
+    yield;
+    yield* tree.#build(boxes, 0, length);
     return tree;
   }
 
@@ -141,6 +144,7 @@ export class TriangleTree {
     const node = this.#nodes.add(begin, end - begin);
     const [axis, split] = this.#nodes.enclose(node, boxes, this.#triangles, begin, end);
     if (end - begin <= leafSize || depth >= deepest) return node;
+    if (end - begin > many) yield;
     const middle = this.#partition(boxes, axis, split, begin, end);
     if (middle === begin || middle === end) return node; // all in one place
     if (end - begin > many) yield;

@@ -11,6 +11,7 @@ export class FrameLoop {
   #animations = new Set<Animation>();
   #running = true;
   #isSeen = false; // something changed since the last frame was drawn
+  #standsBack = false; // the next frame is another's
   #draw: (now: number) => void;
 
   constructor(draw: (now: number) => void) {
@@ -31,7 +32,13 @@ export class FrameLoop {
     if (!this.#running) return;
     cancelAnimationFrame(this.#request);
     this.#isSeen = true;
+    this.#standsBack = false;
     this.#step(performance.now());
+  }
+
+  /** Leaves one frame to the rest of the page, which has much to lay out: with the picture it would take twice as long. */
+  standBack(): void {
+    this.#standsBack = true;
   }
 
   animate(animation: Animation): void {
@@ -58,6 +65,10 @@ export class FrameLoop {
 
   #step = (now: number): void => {
     this.#request = 0;
+    if (this.#standsBack) {
+      this.#standsBack = false;
+      return this.#ask();
+    }
     for (const animation of this.#animations) {
       const more = animation(now);
       if (more !== 'unseen') this.#isSeen = true;

@@ -44,3 +44,22 @@ test('a flush draws at once, in place of the frame that was waiting', () => {
   loop.flush();
   expect(drawn).toBe(1);
 });
+
+test('a frame that is left to the page is drawn one later, a flush is not', () => {
+  let drawn = 0;
+  const loop = new FrameLoop(() => void drawn++);
+  const frame = () => {
+    const [[id, action]] = [...waiting] as [[number, FrameRequestCallback]];
+    waiting.delete(id);
+    action(0);
+    return drawn;
+  };
+  loop.invalidate();
+  loop.standBack();
+  expect([frame(), frame()]).toEqual([0, 1]);
+  loop.standBack();
+  loop.flush();
+  expect(drawn).toBe(2);
+  loop.invalidate();
+  expect(frame()).toBe(3);
+});
