@@ -1,8 +1,8 @@
 /**
  * When the panel is made anew. What a frame or a worker's answer changes is drawn in a task of its own: together with the
  * picture it would hold the page up for longer than either. What took long to make takes long to lay out as well: the picture
- * leaves the next frame to it. What a person does finds the page as it should be by then, and
- * is answered at once, for the next key may mean what this one has changed.
+ * leaves the next frame to it. What a person does finds the page as it should be by then, and is answered at once, for the
+ * next key may mean what this one has changed.
  */
 
 /** What a person does: a browser hands it on before the tasks that wait. */
